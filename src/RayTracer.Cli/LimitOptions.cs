@@ -1,12 +1,16 @@
 using System.CommandLine;
 using System.Globalization;
 using RayTracer.Description;
+using RayTracer.Import;
 using RayTracer.Scenes;
 using RayTracer.Textures;
 
 namespace RayTracer.Cli;
 
-/// <summary>The options <c>--memory</c>, <c>--work</c>, <c>--root</c> and <c>--strict</c> of all verbs: the limits of what a scene may take, read and lack.</summary>
+/// <summary>
+/// The options <c>--memory</c>, <c>--work</c>, <c>--root</c>, <c>--strict</c>, <c>--lenient</c> and <c>--define</c> of all verbs: the limits of what a scene may take,
+/// read and lack, and what scenes of Mitsuba are given.
+/// </summary>
 internal static class LimitOptions
 {
     private static readonly Option<string> s_memory = new("--memory")
@@ -37,6 +41,19 @@ internal static class LimitOptions
         Recursive = true,
     };
 
+    private static readonly Option<bool> s_lenient = new("--lenient")
+    {
+        Description = "Renders what can be rendered of a scene of Mitsuba: what is not supported is a warning, and something magenta stands in for it.",
+        Recursive = true,
+    };
+
+    private static readonly Option<string[]> s_define = new("--define", "-D")
+    {
+        Description = "Gives a parameter of a scene of Mitsuba ($name) a value. May be given several times.",
+        HelpName = "NAME=VALUE",
+        Recursive = true,
+    };
+
     private static readonly (string Letter, int Shift)[] s_units = [("K", 10), ("M", 20), ("G", 30), ("T", 40)];
 
     /// <summary>Gives a command, and those under it, the options.</summary>
@@ -46,6 +63,8 @@ internal static class LimitOptions
         command.Options.Add(s_work);
         command.Options.Add(s_root);
         command.Options.Add(s_strict);
+        command.Options.Add(s_lenient);
+        command.Options.Add(s_define);
     }
 
     /// <summary>Sets the limits that are given, for all that the process reads.</summary>
@@ -53,6 +72,8 @@ internal static class LimitOptions
     public static void Apply(ParseResult result)
     {
         StandIn.IsError = result.GetValue(s_strict);
+        MitsubaSettings.IsLenient = result.GetValue(s_lenient);
+        MitsubaSettings.Parameters = (result.GetValue(s_define) ?? []).Select(Definition).GroupBy(d => d.Name).ToDictionary(g => g.Key, g => g.Last().Value);
         if (result.GetValue(s_memory) is { } size)
         {
             SceneBudget.Limit = Amount("--memory", size);
@@ -68,6 +89,10 @@ internal static class LimitOptions
             SceneFolder.Root = Directory.Exists(root) ? root : throw new CommandException(ExitStatus.Usage, $"--root: there is no folder '{root}'");
         }
     }
+
+    private static (string Name, string Value) Definition(string word) => word.Split('=', 2) is [{ Length: > 0 } name, var value]
+        ? (name, value)
+        : throw new CommandException(ExitStatus.Usage, $"--define must be a name and a value, such as radius=2, but is {Quotation.Of(word)}");
 
     private static long Amount(string option, string size)
     {

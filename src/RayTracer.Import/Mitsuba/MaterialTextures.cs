@@ -10,8 +10,8 @@ internal static class MaterialTextures
     public static bool NeedUv(MaterialDescription material) =>
         Parts(material).Any(part => part is TextureDescription ? part is not SolidTextureDescription : TurnsWithUv(part));
 
-    /// <summary>True where a material has the colours of a mesh's corners.</summary>
-    public static bool UseColors(MaterialDescription material) => Parts(material).Any(part => part is VertexColorTextureDescription);
+    /// <summary>The textures of a material that show the colours of a mesh.</summary>
+    public static IEnumerable<VertexColorTextureDescription> Colors(MaterialDescription material) => Parts(material).OfType<VertexColorTextureDescription>();
 
     /// <summary>A material with other textures.</summary>
     /// <param name="material">The material.</param>

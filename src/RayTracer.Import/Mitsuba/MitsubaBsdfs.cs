@@ -22,6 +22,9 @@ internal sealed class MitsubaBsdfs(MitsubaReading reading, MitsubaTextures textu
     /// <summary>The material of emitting surfaces that give none.</summary>
     public static MaterialDescription Black { get; } = new DiffuseMaterialDescription { Color = MitsubaTextures.Solid(Rgb.Black) };
 
+    /// <summary>The material of what is not supported.</summary>
+    public static MaterialDescription Magenta { get; } = new DiffuseMaterialDescription { Color = MitsubaTextures.Solid(new(1, 0, 1)) };
+
     /// <summary>True where the integrator shows media: then boundaries of nothing do not count as edges of paths.</summary>
     public bool IsVolumetric { get; set; }
 
@@ -78,7 +81,7 @@ internal sealed class MitsubaBsdfs(MitsubaReading reading, MitsubaTextures textu
         bsdf.UnknownType(
             "BSDFs", "diffuse", "conductor", "roughconductor", "plastic", "roughplastic", "dielectric", "thindielectric", "roughdielectric",
             "principled", "twosided", "mask", "blendbsdf", "normalmap", "bumpmap", "null");
-        return Standard;
+        return bsdf.Log.IsLenient ? Magenta : Standard;
     }
 
     private MaterialDescription[] Inner(MitsubaObject bsdf, int least, int most, bool isTwoSided)

@@ -65,7 +65,7 @@ internal sealed class MitsubaDielectrics(MitsubaTextures textures)
         MitsubaRoughness rough = MitsubaRoughness.Read(bsdf, textures);
         if (rough.AlphaU is not null || rough.Alpha is not SolidTextureDescription)
         {
-            bsdf.Log.Error(bsdf.Place, "the roughness of a roughplastic must be one number here");
+            bsdf.Log.Unsupported(bsdf.Place, "the roughness of a roughplastic must be one number here", "0.1 is used instead");
         }
 
         return new RoughPlasticMaterialDescription

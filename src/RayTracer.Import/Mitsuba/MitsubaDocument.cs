@@ -57,6 +57,7 @@ internal sealed class MitsubaDocument
         MitsubaFiles files = new(home, [home]);
         MitsubaObject scene = new(root, files, log);
         document.AddAll(scene, root, files, 0);
+        document._parameters.Finish(root.Place);
         document.BreakLoops(scene);
         return scene;
     }

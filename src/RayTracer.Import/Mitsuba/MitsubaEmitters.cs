@@ -16,6 +16,12 @@ internal sealed class MitsubaEmitters(MitsubaReading reading, MitsubaTextures te
     /// <param name="material">The surface's material.</param>
     public MaterialDescription Area(MitsubaObject emitter, MaterialDescription material)
     {
+        if (emitter.Type != "area" && MitsubaPlugins.ReasonOf(emitter) is not null)
+        {
+            emitter.UnknownType("emitters", "area");
+            return material;
+        }
+
         if (emitter.Type != "area")
         {
             reading.Log.Unknown(emitter.TypePlace, $"a shape may have an emitter of type \"area\", but not of type {Quotation.Of(emitter.Type)}", emitter.Type, ["area"]);
@@ -106,7 +112,7 @@ internal sealed class MitsubaEmitters(MitsubaReading reading, MitsubaTextures te
     {
         if (emitter.HasChild("texture"))
         {
-            reading.Log.Error(emitter.Place, "a picture in a spot light is not supported");
+            reading.Log.Unsupported(emitter.Place, "a picture in a spot light is not supported", "it shines without");
             _ = emitter.Child("texture", "texture");
         }
 

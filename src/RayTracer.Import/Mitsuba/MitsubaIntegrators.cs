@@ -12,11 +12,15 @@ internal static class MitsubaIntegrators
         {
             case "path" or "volpath" or "volpathmis":
                 Integrator kind = integrator.Type == "path" ? Integrator.Path : Integrator.VolPath;
-                render = render with { Integrator = kind, MaxDepth = Depth(integrator), RouletteDepth = int.Min(integrator.Integer("rr_depth", 5, 1), RenderDescription.LongestPath) };
+                render = render with { Integrator = kind, StraightThrough = kind == Integrator.VolPath, MaxDepth = Depth(integrator), RouletteDepth = int.Min(integrator.Integer("rr_depth", 5, 1), RenderDescription.LongestPath) };
                 break;
             case "direct":
                 integrator.Ignore("shading_samples", "emitter_samples", "bsdf_samples");
                 render = render with { Integrator = Integrator.Path, MaxDepth = 2 };
+                break;
+            case "ptracer":
+                integrator.Ignore("samples_per_pass");
+                render = render with { Integrator = Integrator.Light, MaxDepth = Depth(integrator), RouletteDepth = int.Min(integrator.Integer("rr_depth", 5, 1), RenderDescription.LongestPath) };
                 break;
             case "aov":
                 integrator.Ignore("aovs");
@@ -24,13 +28,16 @@ internal static class MitsubaIntegrators
             case "moment":
                 return Inner(integrator, render, "the squares of samples are not written: the noise of a picture is an auxiliary image, --aov error");
             default:
-                integrator.UnknownType("integrators", "path", "direct", "volpath", "volpathmis", "aov", "moment");
+                integrator.UnknownType("integrators", "path", "direct", "volpath", "volpathmis", "ptracer", "aov", "moment");
                 return render;
         }
 
-        if (integrator.Boolean("hide_emitters", false))
+        render = render with { HideLights = integrator.Boolean("hide_emitters", false) };
+        if (render.HideLights && integrator.Type == "ptracer")
         {
-            integrator.Log.Error(integrator.PlaceOf("hide_emitters"), "emitters that the camera does not see are not supported");
+            integrator.Log.Unsupported(
+                integrator.PlaceOf("hide_emitters"), "with \"ptracer\", emitters that the camera does not see are not supported: \"path\" hides them", "they are seen");
+            render = render with { HideLights = false };
         }
 
         integrator.Finish();

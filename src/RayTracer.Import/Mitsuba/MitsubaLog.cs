@@ -32,14 +32,36 @@ internal sealed class MitsubaLog
         return default;
     }
 
+    /// <summary>True where what is not supported is a warning (<see cref="MitsubaSettings.IsLenient"/>).</summary>
+    public bool IsLenient { get; } = MitsubaSettings.IsLenient;
+
+    /// <summary>Takes what is not supported: an error, or a warning where something may stand in for it.</summary>
+    /// <param name="place">The place.</param>
+    /// <param name="message">The message.</param>
+    /// <param name="standIn">What stands in for it, as the end of a sentence.</param>
+    public void Unsupported(SourcePlace place, string message, string standIn)
+    {
+        if (IsLenient)
+        {
+            Warn(place, $"{message}; {standIn}");
+        }
+        else
+        {
+            Error(place, message);
+        }
+    }
+
     /// <summary>Takes a warning: the picture is right, but something is not as it says there.</summary>
     public void Warn(SourcePlace place, string message) => Add(place.At(Severity.Warning, message));
 
     /// <summary>Takes an error about a word that is unknown, with the nearest of those that are known, or else all of them.</summary>
-    public void Unknown(SourcePlace place, string message, string word, IReadOnlyCollection<string> known)
+    public void Unknown(SourcePlace place, string message, string word, IReadOnlyCollection<string> known) => Error(place, message + Hint(word, known));
+
+    /// <summary>The end of a message about a word that is unknown: the nearest of those that are known, or else all of them.</summary>
+    public static string Hint(string word, IReadOnlyCollection<string> known)
     {
         string hint = Spelling.DidYouMean(word, known);
-        Error(place, message + (hint.Length > 0 || known.Count == 0 ? hint : $": known are {string.Join(", ", known)}"));
+        return hint.Length > 0 || known.Count == 0 ? hint : $": known are {string.Join(", ", known)}";
     }
 
     private void Add(Diagnostic diagnostic)

@@ -224,7 +224,8 @@ internal sealed class MitsubaObject(MitsubaElement element, MitsubaFiles files, 
         _isFinished = true;
         foreach ((string name, MitsubaElement property) in _properties.Where(p => !_asked.Contains(p.Key)))
         {
-            log.Unknown(property.PlaceOf("name"), $"{Describe()} has no property {Quotation.Of(name)} here", name, [.. _asked.Where(a => a.Length > 0).Order(StringComparer.Ordinal)]);
+            string hint = MitsubaLog.Hint(name, [.. _asked.Where(a => a.Length > 0).Order(StringComparer.Ordinal)]);
+            log.Unsupported(property.PlaceOf("name"), $"{Describe()} has no property {Quotation.Of(name)} here{hint}", "it is ignored");
         }
 
         foreach (MitsubaChild child in _children.Where(c => !_taken.Contains(c)))
@@ -232,14 +233,21 @@ internal sealed class MitsubaObject(MitsubaElement element, MitsubaFiles files, 
             if (child.Resolve() is { } stranger)
             {
                 string name = child.Name.Length > 0 && !_asked.Contains(child.Name) ? $" named {Quotation.Of(child.Name)}{Spelling.DidYouMean(child.Name, _asked)}" : "";
-                log.Error(child.Place, $"{Describe()} can have no {stranger.Describe()}{name} here");
+                log.Unsupported(child.Place, $"{Describe()} can have no {stranger.Describe()}{name} here", "it is ignored");
             }
         }
     }
 
     /// <summary>Says that its type is none of those that are supported.</summary>
-    public void UnknownType(string kinds, params string[] known) =>
-        log.Unknown(TypePlace, $"{kinds} of type {Quotation.Of(Type)} are not supported", Type, known);
+    public void UnknownType(string kinds, params string[] known)
+    {
+        string message = $"{kinds} of type {Quotation.Of(Type)} are not supported";
+        string end = MitsubaPlugins.ReasonOf(this) is { } reason ? $": {reason}" : MitsubaLog.Hint(Type, known);
+        log.Unsupported(TypePlace, message + end, MitsubaPlugins.StandInOf(Kind));
+
+        // Its properties say nothing to a stand-in.
+        _isFinished |= log.IsLenient;
+    }
 
     /// <summary>The name in messages.</summary>
     public string Describe() => Type.Length > 0 ? $"{Kind} {Quotation.Of(Type)}" : Kind;

@@ -1,4 +1,5 @@
 using RayTracer.Description;
+using RayTracer.Scenes;
 
 namespace RayTracer.Import;
 
@@ -8,10 +9,21 @@ internal sealed class MitsubaParameters(MitsubaLog log)
     // With values that name parameters, a few lines could make a text without end.
     private const int LongestValue = 1 << 20;
 
-    private readonly SortedDictionary<string, string> _values = new(Comparer<string>.Create(LongestFirst));
+    private readonly SortedDictionary<string, string> _values = new(MitsubaSettings.Parameters.ToDictionary(), Comparer<string>.Create(LongestFirst));
+    private readonly HashSet<string> _used = new(StringComparer.Ordinal);
 
     /// <summary>Gives a parameter a value, unless it has one.</summary>
     public void SetDefault(string name, string value) => _values.TryAdd(name, value);
+
+    /// <summary>Reports parameters that were given from outside and stand nowhere in the scene.</summary>
+    /// <param name="scene">The place of the scene.</param>
+    public void Finish(SourcePlace scene)
+    {
+        foreach (string name in MitsubaSettings.Parameters.Keys.Where(n => !_used.Contains(n)))
+        {
+            log.Error(scene, $"the parameter {Quotation.Of(name)} is given a value, but ${name} stands nowhere{Spelling.DidYouMean(name, [.. _used, .. _values.Keys.Where(k => k != name)])}");
+        }
+    }
 
     /// <summary>The element with values in place of names; those within it stay as they are.</summary>
     public MitsubaElement Substitute(MitsubaElement element)
@@ -47,6 +59,7 @@ internal sealed class MitsubaParameters(MitsubaLog log)
                 return text;
             }
 
+            _used.Add(name);
             string value = _values[name];
             if (text.Length + value.Length > LongestValue)
             {

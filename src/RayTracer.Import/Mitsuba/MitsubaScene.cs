@@ -18,7 +18,7 @@ internal sealed class MitsubaScene
         _textures = new(reading);
         _bsdfs = new(reading, _textures);
         _emitters = new(reading, _textures);
-        _shapes = new(reading, _bsdfs, _emitters);
+        _shapes = new(reading, _textures, _bsdfs, _emitters);
     }
 
     /// <summary>The scene that a file's outermost thing is.</summary>

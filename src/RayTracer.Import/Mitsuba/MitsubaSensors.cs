@@ -37,7 +37,12 @@ internal sealed class MitsubaSensors(MitsubaReading reading)
         if (camera is null)
         {
             sensor.UnknownType("sensors", "perspective", "thinlens", "orthographic");
-            return scene;
+            if (!reading.Log.IsLenient)
+            {
+                return scene;
+            }
+
+            camera = Perspective(sensor);
         }
 
         RenderDescription render = scene.Render;

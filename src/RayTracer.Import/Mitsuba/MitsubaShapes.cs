@@ -6,7 +6,7 @@ using RayTracer.Shapes;
 namespace RayTracer.Import;
 
 /// <summary>Makes shapes: which they are, what they are made of, and whether they shine.</summary>
-internal sealed class MitsubaShapes(MitsubaReading reading, MitsubaBsdfs bsdfs, MitsubaEmitters emitters)
+internal sealed class MitsubaShapes(MitsubaReading reading, MitsubaTextures textures, MitsubaBsdfs bsdfs, MitsubaEmitters emitters)
 {
     private static readonly string[] s_types =
         ["rectangle", "sphere", "disk", "cylinder", "cube", "obj", "ply", "serialized", "shapegroup", "instance", "merge"];
@@ -72,11 +72,11 @@ internal sealed class MitsubaShapes(MitsubaReading reading, MitsubaBsdfs bsdfs, 
         if (!s_types.Contains(shape.Type))
         {
             shape.UnknownType("shapes", s_types);
-            return null;
+            return shape.Log.IsLenient ? new SphereDescription { Radius = 1, Material = MitsubaBsdfs.Magenta, Transform = MitsubaSurfaces.Steps(shape.Transform()) } : null;
         }
 
         MaterialDescription material = Material(shape);
-        return shape.Type is "obj" or "ply" or "serialized" ? MitsubaMeshes.Read(shape, material) : MitsubaSurfaces.Read(shape, material);
+        return shape.Type is "obj" or "ply" or "serialized" ? MitsubaMeshes.Read(shape, material, textures.AttributesOf(material)) : MitsubaSurfaces.Read(shape, material);
     }
 
     private MaterialDescription Material(MitsubaObject shape)
@@ -92,8 +92,16 @@ internal sealed class MitsubaShapes(MitsubaReading reading, MitsubaBsdfs bsdfs, 
 internal static class MitsubaMeshes
 {
     /// <summary>A mesh of a file.</summary>
-    public static ShapeDescription? Read(MitsubaObject shape, MaterialDescription material)
+    /// <param name="shape">The shape.</param>
+    /// <param name="material">Its material.</param>
+    /// <param name="attributes">The names of the attributes that the material shows.</param>
+    public static ShapeDescription? Read(MitsubaObject shape, MaterialDescription material, string[] attributes)
     {
+        if (attributes.Length > 1)
+        {
+            shape.Log.Unsupported(shape.Place, $"a mesh may show one of its attributes here, but this one shows {string.Join(" and ", attributes)}", "the first is shown");
+        }
+
         // The front of flat faces follows from the order of their corners after the transform, so a mirror turns it inwards.
         Transform place = shape.Transform();
         bool isFlat = shape.Boolean("face_normals", false);
@@ -104,7 +112,8 @@ internal static class MitsubaMeshes
             Shading = isFlat ? MeshShading.Flat : MeshShading.Smooth,
             FlipNormals = shape.Boolean("flip_normals", false) != (isFlat && place.Determinant < 0),
             FlipV = shape.Boolean("flip_tex_coords", shape.Type == "obj"),
-            IgnoreColors = !MaterialTextures.UseColors(material),
+            IgnoreColors = attributes.Length == 0,
+            ColorAttribute = attributes is [not "vertex_color" and var name, ..] && shape.Type == "ply" ? name : "",
             Material = material,
             Transform = MitsubaSurfaces.Steps(place),
         };

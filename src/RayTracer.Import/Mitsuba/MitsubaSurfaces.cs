@@ -107,10 +107,7 @@ internal static class MitsubaSurfaces
             return shape.Log.Fail<SphereDescription>(shape.PlaceOf("to_world"), "a sphere that is scaled differently along its axes, or sheared, is not supported");
         }
 
-        if (isTurned)
-        {
-            shape.Log.Error(shape.PlaceOf("flip_normals"), "a sphere that is turned inside out is not supported");
-        }
+        material = isTurned ? MitsubaFlips.Turned(shape, material) : material;
 
         return needsUv
             ? new() { Radius = radius, Material = material, Transform = Steps(place * Transform.Translation(center) * s_sphere) }
@@ -123,10 +120,7 @@ internal static class MitsubaSurfaces
         Vector3 bottom = shape.Vector("p0") ?? Vector3.Zero;
         Vector3 top = shape.Vector("p1") ?? Vector3.UnitZ;
         float radius = shape.Float("radius", 1);
-        if (isTurned)
-        {
-            shape.Log.Error(shape.PlaceOf("flip_normals"), "a cylinder that is turned inside out is not supported");
-        }
+        material = isTurned ? MitsubaFlips.Turned(shape, material) : material;
 
         if (!needsUv && place.UniformScale() is { } scale)
         {

@@ -15,6 +15,8 @@ internal sealed class MitsubaTextures(MitsubaReading reading)
         new() { ["repeat"] = Wrapping.Repeat, ["mirror"] = Wrapping.Mirror, ["clamp"] = Wrapping.Clamp };
 
     private readonly Dictionary<MitsubaObject, TextureDescription> _made = [];
+    private readonly Dictionary<TextureDescription, string> _attributes = new(ReferenceEqualityComparer.Instance);
+    private readonly Dictionary<TextureDescription, TextureDescription> _numbers = new(ReferenceEqualityComparer.Instance);
 
     /// <summary>The textures that have names.</summary>
     public Dictionary<string, TextureDescription> Named { get; } = new(StringComparer.Ordinal);
@@ -34,7 +36,7 @@ internal sealed class MitsubaTextures(MitsubaReading reading)
     /// <param name="maximum">The most that is allowed.</param>
     public TextureDescription Read(MitsubaObject thing, string name, float standard, float maximum = 1) =>
         thing.Child("texture", name) is { } texture
-            ? AsNumber(Read(texture), texture.Place)
+            ? Number(texture)
             : Solid(MitsubaColors.Read(thing, name, new Rgb(standard, standard, standard), maximum: maximum));
 
     /// <summary>The texture that a thing is.</summary>
@@ -54,13 +56,26 @@ internal sealed class MitsubaTextures(MitsubaReading reading)
         return made;
     }
 
-    // Where a number is asked of it, Mitsuba's checkerboard has its two textures in each other's place.
-    private TextureDescription AsNumber(TextureDescription texture, SourcePlace place) => texture switch
+    /// <summary>The texture that a thing is, where a number is asked of it.</summary>
+    public TextureDescription Number(MitsubaObject texture) => AsNumber(Read(texture), texture.Place);
+
+    // There, coloured pictures have their luminance, and Mitsuba's checkerboard has its two textures in each other's place.
+    private TextureDescription AsNumber(TextureDescription texture, SourcePlace place)
     {
-        CheckerTextureDescription checker => reading.At(place, checker with { Even = AsNumber(checker.Odd, place), Odd = AsNumber(checker.Even, place) }),
-        PlacedTextureDescription { Texture: CheckerTextureDescription checker } placed => reading.At(place, placed with { Texture = AsNumber(checker, place) }),
-        _ => texture,
-    };
+        if (!_numbers.TryGetValue(texture, out TextureDescription? number))
+        {
+            number = texture switch
+            {
+                CheckerTextureDescription checker => checker with { Even = AsNumber(checker.Odd, place), Odd = AsNumber(checker.Even, place) },
+                PlacedTextureDescription placed when AsNumber(placed.Texture, place) is var inner && inner != placed.Texture => placed with { Texture = inner },
+                ImageTextureDescription image => image with { Luminance = true },
+                _ => texture,
+            };
+            _numbers.Add(texture, number == texture ? texture : reading.At(place, number));
+        }
+
+        return number;
+    }
 
     /// <summary>The same colour everywhere.</summary>
     public static TextureDescription Solid(Rgb color) => new SolidTextureDescription { Color = color };
@@ -70,13 +85,33 @@ internal sealed class MitsubaTextures(MitsubaReading reading)
         "bitmap" => Bitmap(texture),
         "checkerboard" => Checkerboard(texture),
         "mesh_attribute" => Attribute(texture),
+        "rawconstant" => Constant(texture),
         _ => Unknown(texture),
     };
 
     private static TextureDescription Unknown(MitsubaObject texture)
     {
-        texture.UnknownType("textures", "bitmap", "checkerboard", "mesh_attribute");
-        return Solid(new(0.5f, 0.5f, 0.5f));
+        texture.UnknownType("textures", "bitmap", "checkerboard", "mesh_attribute", "rawconstant");
+        return Solid(texture.Log.IsLenient ? new(1, 0, 1) : new(0.5f, 0.5f, 0.5f));
+    }
+
+    // Numbers that are no colours, whatever they are used for.
+    private static TextureDescription Constant(MitsubaObject texture)
+    {
+        if (texture.Property("value") is not { } value)
+        {
+            texture.Log.Error(texture.Place, $"{texture.Describe()} needs a \"value\"");
+            return Solid(Rgb.Black);
+        }
+
+        if (value.Name is "float" or "integer")
+        {
+            float number = texture.Float("value", 0);
+            return Solid(new(number, number, number));
+        }
+
+        Vector3 numbers = texture.Vector("value") ?? Vector3.Zero;
+        return Solid(new(numbers.X, numbers.Y, numbers.Z));
     }
 
     private TextureDescription Bitmap(MitsubaObject texture)
@@ -102,16 +137,21 @@ internal sealed class MitsubaTextures(MitsubaReading reading)
         return uv.IsStraight ? image : uv.Place(image);
     }
 
-    // Of the attributes of meshes besides uv, only the colours of their corners are supported.
+    /// <summary>The attributes of meshes that a material shows.</summary>
+    public string[] AttributesOf(MaterialDescription material) =>
+        [.. MaterialTextures.Colors(material).Select(_attributes.GetValueOrDefault).OfType<string>().Distinct()];
+
     private TextureDescription Attribute(MitsubaObject texture)
     {
-        if (texture.Text("name") != "vertex_color")
+        string? name = texture.Text("name");
+        if (name is null || !(name.StartsWith("vertex_", StringComparison.Ordinal) || name.StartsWith("face_", StringComparison.Ordinal)))
         {
-            reading.Log.Error(texture.Has("name") ? texture.PlaceOf("name") : texture.Place, "of the attributes of meshes, only \"vertex_color\" is supported");
+            reading.Log.Error(name is null ? texture.Place : texture.PlaceOf("name"), "the name of a mesh's attribute begins with vertex_ or face_, as in \"vertex_color\"");
         }
 
         float scale = texture.Float("scale", 1);
-        TextureDescription colors = new VertexColorTextureDescription();
+        VertexColorTextureDescription colors = new();
+        _attributes.Add(colors, name ?? "vertex_color");
         return scale == 1 ? colors : new ProductTextureDescription { First = colors, Second = Solid(new(scale, scale, scale)) };
     }
 

@@ -40,7 +40,7 @@ internal sealed class MitsubaWrappers(MitsubaReading reading, MitsubaTextures te
             return inner;
         }
 
-        return new BumpMapMaterialDescription { Map = textures.Read(map), Scale = scale, Turned = turned, SoftensShadow = isSoftened, Material = inner };
+        return new BumpMapMaterialDescription { Map = textures.Number(map), Scale = scale, Turned = turned, SoftensShadow = isSoftened, Material = inner };
     }
 
     /// <summary>The material of Disney's parameters.</summary>
@@ -82,7 +82,7 @@ internal sealed class MitsubaWrappers(MitsubaReading reading, MitsubaTextures te
             return MitsubaTextures.Solid(new(1 - value, 1 - value, 1 - value));
         }
 
-        reading.Log.Error(bsdf.PlaceOf("clearcoat_gloss"), "\"clearcoat_gloss\" must be one number here");
+        reading.Log.Unsupported(bsdf.PlaceOf("clearcoat_gloss"), "\"clearcoat_gloss\" must be one number here", "a sharp coat is used instead");
         return MitsubaTextures.Solid(Rgb.Black);
     }
 }

@@ -28,6 +28,14 @@ internal sealed class MeshMender(SceneBuilder builder)
             return null;
         }
 
+        if (wanted.ColorAttribute.Length > 0 && mesh.Data?.Attributes.Any(a => a.Name == wanted.ColorAttribute) != true)
+        {
+            string[] names = [.. mesh.Data?.Attributes.Select(a => a.Name) ?? []];
+            string has = names.Length == 0 ? "there are none" : $"there are {string.Join(", ", names)}";
+            builder.Error(wanted, nameof(MeshDescription.ColorAttribute), $"{Name(mesh)} has no colours {Quotation.Of(wanted.ColorAttribute)}: {has}");
+            return null;
+        }
+
         MeshData data = MeshDoctor.Mend(MeshVariant.Of(mesh.Data ?? Inline(mesh), wanted), out string report);
         if (MeshVariant.IsOwn(wanted))
         {

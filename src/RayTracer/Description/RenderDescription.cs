@@ -57,6 +57,17 @@ public sealed record RenderDescription
         + "noise, not the picture.", Minimum = 1, Maximum = LongestPath)]
     public int RouletteDepth { get; init; } = 5;
 
+    /// <summary>True where light that goes straight through a surface is not bounced there, with the volPath integrator.</summary>
+    [Parameter("With the volPath integrator: whether panes (thinDielectric), holes of masks and invisible surfaces, which light passes straight through, are no bounce. "
+        + "Then they do not count towards maxDepth, and lights are sampled through them, weakened: also those without extent, which otherwise cast a black "
+        + "shadow behind a pane.")]
+    public bool StraightThrough { get; init; }
+
+    /// <summary>True where the camera does not see what shines, with the path, direct and volPath integrators.</summary>
+    [Parameter("With the path, direct and volPath integrators: whether the camera sees neither lamps, but what is behind them, nor the background or environment; "
+        + "only what they light, and their reflections.")]
+    public bool HideLights { get; init; }
+
     /// <summary>How many samples of a pixel share a camera ray, with the path and report integrators.</summary>
     [Parameter("With the path and report integrators: how many samples of a pixel, after the first 16, share a camera ray and the light that comes straight from lamps "
         + "to what it meets; from there on each goes its own way. It saves time, and changes the noise, not the picture. 1 gives each sample a ray of its own, "

@@ -62,6 +62,12 @@ public enum IntegratorTraits
 
     /// <summary>Media inside shapes may vary in space.</summary>
     VaryingMedia = 1 << 17,
+
+    /// <summary>What goes straight through surfaces may be no bounce.</summary>
+    StraightThrough = 1 << 18,
+
+    /// <summary>What shines can be hidden from the camera.</summary>
+    HiddenLights = 1 << 19,
 }
 
 /// <summary>The algorithm that computes the light that arrives at a pixel.</summary>

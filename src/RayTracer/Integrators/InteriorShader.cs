@@ -80,8 +80,27 @@ internal abstract unsafe class InteriorShader(ShaderContext context) : SurfaceSh
             return;
         }
 
-        Vec3W direction = surface.Incoming;
         Observer?.Crossed(stream, index, active, surface);
+        UIntW media = Scene.Cross(UIntW.Pick(stream.Media, index), group.Interior, MaskW.All, ~ComesFromInside(surface));
+        Pass(group, surface, stream, next, index, going, media, stream.PickThroughput(index), stream.PickRadiance(index), UIntW.Pick(stream.State, index));
+    }
+
+    /// <summary>Sends paths straight on behind a surface, with what they know of where they scattered last.</summary>
+    /// <param name="group">The group of the surface.</param>
+    /// <param name="surface">The surface.</param>
+    /// <param name="stream">The paths.</param>
+    /// <param name="next">Takes them.</param>
+    /// <param name="index">Indices of a packet of them.</param>
+    /// <param name="going">The lanes in use; not none.</param>
+    /// <param name="media">The media behind the surface.</param>
+    /// <param name="throughput">What they carry on.</param>
+    /// <param name="radiance">What they have gathered.</param>
+    /// <param name="state">Their state.</param>
+    protected void Pass(
+        ShadingGroup group, in SurfaceW surface, PathStream stream, PathStream next, uint* index, uint going, in UIntW media, in RgbW throughput, in RgbW radiance,
+        in UIntW state)
+    {
+        Vec3W direction = surface.Incoming;
         if (Scene.IsTimed)
         {
             next.SetTime(going, FloatW.Pick(stream.Time, index));
@@ -93,12 +112,8 @@ internal abstract unsafe class InteriorShader(ShaderContext context) : SurfaceSh
             next.SetNormal(going, stream.PickNormal(index));
         }
 
-        next.SetMedia(
-            going,
-            Scene.Cross(UIntW.Pick(stream.Media, index), group.Interior, MaskW.All, ~ComesFromInside(surface)),
-            FloatW.Pick(stream.Travelled, index) + FloatW.Pick(stream.Distance, index));
-        next.Append(
-            going, Leave(surface, direction), direction, stream.PickThroughput(index), stream.PickRadiance(index), UIntW.Pick(stream.Path, index), UIntW.Pick(stream.State, index));
+        next.SetMedia(going, media, FloatW.Pick(stream.Travelled, index) + FloatW.Pick(stream.Distance, index));
+        next.Append(going, Leave(surface, direction), direction, throughput, radiance, UIntW.Pick(stream.Path, index), state);
         if (group.IsInstanced)
         {
             next.SetStart(going, surface.Instance, LeaveInside(surface, direction));

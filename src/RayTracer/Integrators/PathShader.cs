@@ -41,6 +41,11 @@ internal sealed unsafe class PathShader(ShaderContext context, int maxDepth) : I
         }
 
         base.Arrive(stream, index, direction, out arriving);
+        if (Scene.HidesLights)
+        {
+            arriving = UIntW.Equal(Edges(UIntW.Pick(stream.State, index)), 0u).Select(default, arriving);
+        }
+
         MaskW shared = UIntW.Equal(UIntW.Pick(stream.State, index) & PathState.CountsEmission, 0u);
         if (_environment is { } environment && shared.Any)
         {
@@ -64,7 +69,7 @@ internal sealed unsafe class PathShader(ShaderContext context, int maxDepth) : I
 
     protected override void ShadePacket(ShadingGroup group, PathStream stream, PathStream next, uint* index, in MaskW active)
     {
-        if (Scene.HasMedia && group.Traits.IsBoundary)
+        if (Scene.CrossesBoundaries && group.Traits.IsBoundary)
         {
             Describe(Scene, group, stream, index, group.Traits.UsesUv, out SurfaceW boundary);
             Cross(group, boundary, stream, next, index, active);
@@ -100,6 +105,13 @@ internal sealed unsafe class PathShader(ShaderContext context, int maxDepth) : I
         packet.Time = Scene.IsTimed ? FloatW.Pick(stream.Time, index) : 0f;
         throughput = stream.PickThroughput(index);
         radiance = stream.PickRadiance(index);
+        if (Scene.HidesLights && group.Traits.Emits)
+        {
+            MaskW hidden = lanes & UIntW.Equal(Edges(state), 0u);
+            Pass(group, packet, state, stream, next, index, hidden.Bits);
+            lanes = lanes.Except(hidden);
+        }
+
         GuidedMaterial? guided = _guided?.At(group, surface);
         Material material = guided ?? group.Material;
         if (group.Traits.Emits && _maxDepth > 0)
@@ -118,7 +130,7 @@ internal sealed unsafe class PathShader(ShaderContext context, int maxDepth) : I
         }
 
         // A path of so many edges may have one more: the ray to a light, or the next one.
-        MaskW goesOn = lanes & (vertex + 1u < _maxDepth);
+        MaskW goesOn = lanes & (Edges(state) + 1u < _maxDepth);
         if (!Splits)
         {
             Light(group, material, goesOn, next);
@@ -178,10 +190,11 @@ internal sealed unsafe class PathShader(ShaderContext context, int maxDepth) : I
         material.Scatter(surface, Vertex, out scatter);
         Clock?.Enter(Stage.Shade);
         throughput *= scatter.Weight;
-        MaskW alive = goesOn.Except(scatter.Absorbed).Except((throughput.R <= 0f) & (throughput.G <= 0f) & (throughput.B <= 0f));
-        alive = alive.Except(Dropped(surface, scatter.Direction));
+        MaskW straight = Scene.PassesStraight && group.Traits.PassesStraight ? Passing(state, surface, scatter) & lanes : MaskW.None;
+        MaskW alive = (goesOn | straight).Except(scatter.Absorbed).Except((throughput.R <= 0f) & (throughput.G <= 0f) & (throughput.B <= 0f));
+        alive = alive.Except(Dropped(surface, scatter.Direction).Except(straight));
         FloatW brightest = FloatW.Max(throughput.R, FloatW.Max(throughput.G, throughput.B));
-        Survive(packet.Vertex, guided is null ? brightest * Leniency : GuidedMaterial.Survival, ref alive, ref throughput);
+        Survive(Scene.CountsPassed ? Edges(state) : packet.Vertex, guided is null ? brightest * Leniency : GuidedMaterial.Survival, ref alive, ref throughput);
         Observer?.Scattered(stream, index, lanes, alive, material, surface, scatter, isByLobe: false);
         uint going = alive.Bits;
         uint ended = lanes.Bits & ~going;
@@ -195,9 +208,11 @@ internal sealed unsafe class PathShader(ShaderContext context, int maxDepth) : I
             Finished.Append(ended, packet.Radiance, packet.Path);
         }
 
+        Pass(group, packet, state, stream, next, index, (alive & straight).Bits);
+        going = alive.Except(straight).Bits;
         if (going != 0)
         {
-            packet.Vertex |= WavelengthAfter(group, state);
+            packet.Vertex |= WavelengthAfter(group, state) | (state & PathState.PassedMask);
             GoOn(group, guided, ref packet, going, next);
         }
     }
@@ -227,7 +242,8 @@ internal sealed unsafe class PathShader(ShaderContext context, int maxDepth) : I
         Vec3W point = Vec3W.MultiplyAdd(incoming, FloatW.Pick(stream.Distance, index), stream.PickOrigin(index));
         FloatW anisotropy = Scene.Media.Anisotropy(media);
 
-        MaskW alive = active & (vertex + 1u < _maxDepth);
+        UIntW edges = Edges(state);
+        MaskW alive = active & (edges + 1u < _maxDepth);
         alive = alive.Except((throughput.R <= 0f) & (throughput.G <= 0f) & (throughput.B <= 0f));
         Clock?.Enter(Stage.Light);
         _directLight.AddInMedium(point, incoming, anisotropy, media, Vertex, time, alive, throughput, ref radiance);
@@ -236,7 +252,7 @@ internal sealed unsafe class PathShader(ShaderContext context, int maxDepth) : I
         Vec3W direction = HenyeyGreenstein.Sample(incoming, anisotropy, u, v, out FloatW cosine);
         FloatW pdf = HenyeyGreenstein.Evaluate(cosine, anisotropy);
         Clock?.Enter(Stage.Shade);
-        Survive(vertex, FloatW.Max(throughput.R, FloatW.Max(throughput.G, throughput.B)) * Leniency, ref alive, ref throughput);
+        Survive(edges, FloatW.Max(throughput.R, FloatW.Max(throughput.G, throughput.B)) * Leniency, ref alive, ref throughput);
         Observer?.ScatteredInMedium(stream, index, active, alive, point, pdf);
         uint going = alive.Bits;
         uint ended = active.Bits & ~going;
@@ -260,7 +276,33 @@ internal sealed unsafe class PathShader(ShaderContext context, int maxDepth) : I
 
             next.SetMedia(going, MediumStack.Scattered(media), 0f);
             UIntW emission = _lights.Count > 0 ? 0u : PathState.CountsEmission;
-            next.Append(going, point, direction, throughput, radiance, path, (vertex + 1u) | emission | (state & PathState.HasWavelength));
+            next.Append(going, point, direction, throughput, radiance, path, (vertex + 1u) | emission | (state & (PathState.HasWavelength | PathState.PassedMask)));
+        }
+    }
+
+    // The edges before a vertex. Vertices number random numbers too, so those that are no bounce are numbered, and do not count.
+    private UIntW Edges(in UIntW state)
+    {
+        UIntW vertex = state & PathState.VertexMask;
+        return Scene.CountsPassed ? vertex - (state >> PathState.PassedShift) : vertex;
+    }
+
+    // The paths that go straight through a surface as if it were not there; beyond what can be counted, they bounce.
+    private static MaskW Passing(in UIntW state, in SurfaceW surface, in ScatterW scatter)
+    {
+        MaskW same = UIntW.Equal(scatter.Direction.X.AsUInt(), surface.Incoming.X.AsUInt()) & UIntW.Equal(scatter.Direction.Y.AsUInt(), surface.Incoming.Y.AsUInt())
+            & UIntW.Equal(scatter.Direction.Z.AsUInt(), surface.Incoming.Z.AsUInt());
+        return scatter.Delta & same & (state < PathState.PassedMask);
+    }
+
+    // Paths that have no vertex where they are, but a number of random numbers.
+    private void Pass(ShadingGroup group, in PacketW packet, in UIntW state, PathStream stream, PathStream next, uint* index, uint going)
+    {
+        if (going != 0)
+        {
+            MediaAlong(Scene, packet.Surface, packet.Surface.Incoming, group.Interior, packet.Media, out UIntW media);
+            UIntW passed = (state + (PathState.OnePassed + 1u)) | WavelengthAfter(group, state);
+            Pass(group, packet.Surface, stream, next, index, going, MediumStack.Scattered(media), packet.Throughput, packet.Radiance, passed);
         }
     }
 
@@ -359,7 +401,7 @@ internal sealed unsafe class PathShader(ShaderContext context, int maxDepth) : I
 /// <summary>Path tracing.</summary>
 internal class PathIntegrator(string name = "path", IntegratorTraits more = IntegratorTraits.PathLimit | IntegratorTraits.Guides | IntegratorTraits.Splits) : Integrator(
     name, IntegratorTraits.Light | IntegratorTraits.Layers | IntegratorTraits.Priorities | IntegratorTraits.LiteralNormals | IntegratorTraits.SampledEnvironment
-        | IntegratorTraits.LitGloss | IntegratorTraits.SoftTone | more)
+        | IntegratorTraits.LitGloss | IntegratorTraits.SoftTone | IntegratorTraits.HiddenLights | more)
 {
     protected internal override SurfaceShader CreateShader(ShaderContext context) => new PathShader(context, context.Scene.Render.MaxDepth);
 }
@@ -371,4 +413,4 @@ internal sealed class DirectIntegrator() : PathIntegrator("direct", IntegratorTr
 }
 
 /// <summary>Path tracing with media.</summary>
-internal sealed class VolPathIntegrator() : PathIntegrator("volPath", IntegratorTraits.Media | IntegratorTraits.VaryingMedia | IntegratorTraits.PathLimit);
+internal sealed class VolPathIntegrator() : PathIntegrator("volPath", IntegratorTraits.Media | IntegratorTraits.VaryingMedia | IntegratorTraits.PathLimit | IntegratorTraits.StraightThrough);

@@ -29,6 +29,7 @@ internal sealed class InvisibleMaterial(Medium? interior) : Material
         KeepsEnergy = true,
         IsBoundary = true,
         IsTransparent = true,
+        PassesStraight = true,
         Interior = interior,
     };
 
@@ -37,6 +38,9 @@ internal sealed class InvisibleMaterial(Medium? interior) : Material
 
     /// <inheritdoc/>
     public override void Transparency(in SurfaceW surface, out RgbW transparency) => transparency = Rgb.White;
+
+    /// <inheritdoc/>
+    public override void Straight(in SurfaceW surface, out RgbW share) => share = Rgb.White;
 
     /// <inheritdoc/>
     public override void Scatter(in SurfaceW surface, VertexSamples samples, out ScatterW scatter)

@@ -39,6 +39,7 @@ internal sealed class MaskMaterial(Material inner, Texture opacity, Medium? inte
     {
         Interior = Inner.Traits.Interior ?? interior,
         IsTransparent = true,
+        PassesStraight = true,
         Specular = Inner.Traits.HasDensity ? SpecularLobe.Glossy : SpecularLobe.Delta,
         UsesUv = Inner.Traits.UsesUv || opacity.Constant is null,
     };
@@ -50,6 +51,14 @@ internal sealed class MaskMaterial(Material inner, Texture opacity, Medium? inte
         FloatW opaque = Opacity(surface);
         FloatW free = 1f - opaque;
         transparency = (through * opaque) + new RgbW(free, free, free);
+    }
+
+    /// <inheritdoc/>
+    public override void Straight(in SurfaceW surface, out RgbW share)
+    {
+        base.Straight(surface, out share);
+        FloatW free = 1f - Opacity(surface);
+        share += new RgbW(free, free, free);
     }
 
     /// <inheritdoc/>

@@ -113,6 +113,14 @@ public abstract class Material
     /// <param name="transparency">The fraction.</param>
     public virtual void Transparency(in SurfaceW surface, out RgbW transparency) => transparency = default;
 
+    /// <summary>
+    /// What part of the light goes straight through, as through a hole or a pane: the mean weight of the choices of <see cref="Scatter"/> that are a delta
+    /// lobe along <see cref="SurfaceW.Incoming"/>. What refraction bends is no part of it.
+    /// </summary>
+    /// <param name="surface">The point at which a ray meets the surface.</param>
+    /// <param name="share">The fraction.</param>
+    public virtual void Straight(in SurfaceW surface, out RgbW share) => share = default;
+
     /// <summary>Chooses the next ray of a path (report: DiffuseDirection).</summary>
     /// <param name="surface">The point at which the path meets the surface.</param>
     /// <param name="samples">The random numbers of this vertex.</param>

@@ -21,6 +21,9 @@ public readonly record struct MaterialTraits()
     /// <summary>All light goes straight through, so that a path has no vertex here.</summary>
     public bool IsBoundary { get; init; }
 
+    /// <summary><see cref="Material.Straight"/> may be other than zero.</summary>
+    public bool PassesStraight { get; init; }
+
     /// <summary><see cref="Material.Emission"/> may be other than zero.</summary>
     public bool Emits { get; init; }
 
@@ -92,6 +95,7 @@ public readonly record struct MaterialTraits()
         Transmits = one.Transmits || other.Transmits,
         IsTransparent = one.IsTransparent || other.IsTransparent,
         IsBoundary = one.IsBoundary && other.IsBoundary,
+        PassesStraight = one.PassesStraight || other.PassesStraight,
         Emits = one.Emits || other.Emits,
         UsesUv = one.UsesUv || other.UsesUv,
         UsesTangent = one.UsesTangent || other.UsesTangent,

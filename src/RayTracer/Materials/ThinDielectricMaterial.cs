@@ -47,6 +47,7 @@ internal sealed class ThinDielectricMaterial(float refractiveIndex, Texture refl
         Specular = SpecularLobe.Delta,
         KeepsEnergy = true,
         IsTransparent = true,
+        PassesStraight = true,
         Interior = interior,
         UsesUv = reflectance.Constant is null || transmittance.Constant is null,
     };
@@ -60,6 +61,9 @@ internal sealed class ThinDielectricMaterial(float refractiveIndex, Texture refl
         transmittance.Evaluate(surface, out RgbW through);
         transparency = through * (1f - Reflected(surface));
     }
+
+    /// <inheritdoc/>
+    public override void Straight(in SurfaceW surface, out RgbW share) => Transparency(surface, out share);
 
     /// <inheritdoc/>
     public override void Scatter(in SurfaceW surface, VertexSamples samples, out ScatterW scatter)

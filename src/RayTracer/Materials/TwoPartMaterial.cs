@@ -60,6 +60,10 @@ public abstract class TwoPartMaterial(Material first, Material second) : Materia
         AskBoth(static (part, in at, in _, out color) => part.Transparency(at, out color), surface, default, out transparency);
 
     /// <inheritdoc/>
+    public override void Straight(in SurfaceW surface, out RgbW share) =>
+        AskBoth(static (part, in at, in _, out color) => part.Straight(at, out color), surface, default, out share);
+
+    /// <inheritdoc/>
     public override void Pdf(in SurfaceW surface, in Vec3W direction, out FloatW pdf)
     {
         Unsafe.SkipInit(out SurfaceW room);

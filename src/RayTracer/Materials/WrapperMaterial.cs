@@ -104,6 +104,13 @@ public abstract class WrapperMaterial(Material inner) : Material
     public override void Transparency(in SurfaceW surface, out RgbW transparency) => inner.Transparency(surface, out transparency);
 
     /// <inheritdoc/>
+    public override void Straight(in SurfaceW surface, out RgbW share)
+    {
+        inner.Straight(surface, out share);
+        Dim(surface, ref share);
+    }
+
+    /// <inheritdoc/>
     public override void Scatter(in SurfaceW surface, VertexSamples samples, out ScatterW scatter)
     {
         Unsafe.SkipInit(out SurfaceW room);

@@ -293,4 +293,13 @@ public static class PathState
 
     /// <summary>Of a light path's vertex that is kept: it lies in a medium.</summary>
     internal const uint IsInMedium = 1 << 20;
+
+    /// <summary>Bits 21–31 count the surfaces that a path went straight through and that are no bounce (<see cref="Scene.CountsPassed"/>).</summary>
+    internal const uint OnePassed = 1 << PassedShift;
+
+    /// <summary>The number of bits by which that count is shifted up.</summary>
+    internal const int PassedShift = 21;
+
+    /// <summary>The bits of that count.</summary>
+    internal const uint PassedMask = uint.MaxValue << PassedShift;
 }

@@ -41,7 +41,8 @@ public sealed class Scene
         _interiors = ShadingGroup.NumberInteriors(Groups);
         Wavelengths = Array.Exists(Groups, g => g.Traits.Disperses) ? new() : null;
         Media = new(_interiors);
-        (HasMedia, HasNesting, WeakensShadows, IsLiteral) = Shown();
+        (HasMedia, HasNesting, WeakensShadows, PassesStraight, IsLiteral) = Shown();
+        HidesLights = render.HideLights && render.Integrator.Has(IntegratorTraits.HiddenLights);
         CameraInteriors = TracksInteriors ? EnclosingMedia.Of(this) : 0;
         Lights = LightList.Create(World);
         environment?.World = World;
@@ -70,7 +71,8 @@ public sealed class Scene
         Wavelengths = other.Wavelengths;
         _interiors = other._interiors;
         Media = other.Media;
-        (HasMedia, HasNesting, WeakensShadows, IsLiteral) = Shown();
+        (HasMedia, HasNesting, WeakensShadows, PassesStraight, IsLiteral) = Shown();
+        HidesLights = render.HideLights && render.Integrator.Has(IntegratorTraits.HiddenLights);
         CameraInteriors = TracksInteriors ? EnclosingMedia.Of(this) : 0;
         Lights = other.Lights;
         LightSelection = render.Integrator == other.Render.Integrator ? other.LightSelection : SelectLights();
@@ -178,8 +180,20 @@ public sealed class Scene
     /// <summary>True where dielectrics have priorities: there are some, and the integrator is one that knows them.</summary>
     internal bool HasNesting { get; }
 
-    /// <summary>True where paths keep a record of the media that they are in.</summary>
-    internal bool TracksInteriors => HasMedia || HasNesting;
+    /// <summary>True where what goes straight through a surface has no vertex there: some surface lets light through so, and the scene asks for it.</summary>
+    internal bool PassesStraight { get; }
+
+    /// <summary>True where rays of the camera pass what shines, and see nothing behind everything.</summary>
+    internal bool HidesLights { get; }
+
+    /// <summary>True where paths may go through surfaces that are no bounce, and count them (<see cref="PathState.OnePassed"/>).</summary>
+    internal bool CountsPassed => PassesStraight || HidesLights;
+
+    /// <summary>True where paths keep a record of the media that they are in, and of how far they have come since they last scattered.</summary>
+    internal bool TracksInteriors => HasMedia || HasNesting || PassesStraight;
+
+    /// <summary>True where paths have no vertex on surfaces of invisible materials (<see cref="Materials.MaterialTraits.IsBoundary"/>).</summary>
+    internal bool CrossesBoundaries => HasMedia || PassesStraight;
 
     /// <summary>The media that the camera stands in.</summary>
     internal uint CameraInteriors { get; }
@@ -290,16 +304,17 @@ public sealed class Scene
     }
 
     // What the scene asks for and its integrator can do.
-    private (bool Media, bool Nesting, bool WeakenedShadows, bool LiteralNormals) Shown() => (
+    private (bool Media, bool Nesting, bool WeakenedShadows, bool StraightThrough, bool LiteralNormals) Shown() => (
         Render.Integrator.Has(IntegratorTraits.Media) && HasInterior(static i => i.Medium is not null),
         Render.Integrator.Has(IntegratorTraits.Priorities) && HasInterior(static i => i.Nesting is not null),
         Render.Integrator.Has(IntegratorTraits.WeakenedShadows) && Render.WeakenedShadows,
+        Render.Integrator.Has(IntegratorTraits.StraightThrough) && Render.StraightThrough && Array.Exists(Groups, static g => g.Traits.PassesStraight),
         Render.Integrator.Has(IntegratorTraits.LiteralNormals) && Render.ShadingNormals == ShadingNormals.Literal);
 
     // Not where much of the noise comes from the camera's ray itself (lenses, motion, the fine shapes of meshes), from the choice of lights, or from all that
     // there is (direct light alone); nor where something happens to the ray on its way, or paths differ from the start.
     private bool CanSplit() => Render.Integrator.Has(IntegratorTraits.Splits) && World.IsPlain && !Camera.HasLens && !IsTimed
-        && SampledEnvironment is null && LightSelection is null && !TracksInteriors && Wavelengths is null
+        && SampledEnvironment is null && LightSelection is null && !TracksInteriors && !HidesLights && Wavelengths is null
         && (Render.Integrator.Has(IntegratorTraits.BounceLimits) ? Render.MaxDiffuseDepth > 0 : Render.MaxDepth is < 0 or > 2);
 
     private bool HasInterior(Predicate<Interior> which) => Array.Exists(_interiors, which);
@@ -308,7 +323,7 @@ public sealed class Scene
         ? new(SampledLights, (Render.Shutter.X, Render.Shutter.Y))
         : null;
 
-    private int CountPoints() => TracksInteriors || Splitting is not null || !Render.Integrator.Has(IntegratorTraits.SampledEnvironment) ? 1
+    private int CountPoints() => TracksInteriors || HidesLights || Splitting is not null || !Render.Integrator.Has(IntegratorTraits.SampledEnvironment) ? 1
         : LightSelection is not null ? 4
         : SampledLights.Any(l => !l.IsDelta) ? 2 : 1;
 

@@ -146,9 +146,10 @@ internal sealed unsafe class Transmittance(Scene scene)
 
     private void Cross(ShadingGroup group, uint* index, in MaskW among)
     {
-        bool isBoundary = scene.HasMedia && group.Traits.IsBoundary;
+        bool isBoundary = scene.CrossesBoundaries && group.Traits.IsBoundary;
         bool isTransparent = scene.WeakensShadows && group.Traits.IsTransparent;
-        if (!isBoundary && !isTransparent && !(scene.HasNesting && group.IsNested))
+        bool isStraight = scene.PassesStraight && group.Traits.PassesStraight && !isBoundary;
+        if (!isBoundary && !isTransparent && !isStraight && !(scene.HasNesting && group.IsNested))
         {
             return;
         }
@@ -162,8 +163,20 @@ internal sealed unsafe class Transmittance(Scene scene)
         }
 
         UIntW media = UIntW.Pick(_rays.Media, index);
-        UIntW beyond = scene.Cross(media, group.Interior, MaskW.All, ~SurfaceShader.ComesFromInside(surface));
-        MaskW lanes = isBoundary || isTransparent ? among : among & SurfaceShader.IsUnreal(media, beyond);
+        UIntW beyond = isStraight && group.Interior == 0 ? media : scene.Cross(media, group.Interior, MaskW.All, ~SurfaceShader.ComesFromInside(surface));
+        MaskW lanes = among;
+        if (!isBoundary && !isTransparent)
+        {
+            MaskW unreal = scene.HasNesting && group.IsNested ? SurfaceShader.IsUnreal(media, beyond) : MaskW.None;
+            lanes &= unreal;
+            if (isStraight)
+            {
+                group.Material.Straight(surface, out RgbW share);
+                transmittance = unreal.Select(transmittance, transmittance * share);
+                lanes |= among.Except((transmittance.R <= 0f) & (transmittance.G <= 0f) & (transmittance.B <= 0f));
+            }
+        }
+
         FloatW time = scene.IsTimed ? FloatW.Pick(_rays.Time, index) : 0f;
         FloatW length = FloatW.Pick(_rays.Travelled, index);
         Vec3W start = SurfaceShader.Leave(surface, surface.Incoming);

@@ -79,6 +79,8 @@ internal sealed class UnseenParts(Scene scene, SceneDescription description, Sce
             false,
             OfRender(IntegratorTraits.PathLimit, nameof(Standard.MaxDepth), r => r.MaxDepth),
             OfRender(IntegratorTraits.PathLimit, nameof(Standard.RouletteDepth), r => r.RouletteDepth));
+        WarnOf(false, (IntegratorTraits.HiddenLights, scene.Render, nameof(Standard.HideLights), scene.Render.HideLights));
+        WarnOf(false, (IntegratorTraits.StraightThrough, scene.Render, nameof(Standard.StraightThrough), scene.Render.StraightThrough));
         WarnOf(false, OfRender(IntegratorTraits.OcclusionDistance, nameof(Standard.OcclusionDistance), r => r.OcclusionDistance));
     }
 

@@ -37,4 +37,16 @@ public sealed class MeshData(Vector3[] positions, int[] indices)
 
     /// <summary>The index of each triangle's material; null where all are made of the first.</summary>
     public int[]? MaterialOfTriangle { get; init; }
+
+    /// <summary>Further colours that the file has, of which scenes may choose one instead of <see cref="Colors"/>.</summary>
+    public IReadOnlyList<MeshAttribute> Attributes { get; init; } = [];
+}
+
+/// <summary>Colours of a mesh's corners or triangles, or single numbers as grey.</summary>
+/// <param name="Name">The name; where it begins with "face", there is one for each triangle.</param>
+/// <param name="Values">The colours: as many as corners, or triangles.</param>
+public sealed record MeshAttribute(string Name, Rgb[] Values)
+{
+    /// <summary>True where triangles have the colours.</summary>
+    public bool IsOfTriangles => Name.StartsWith("face", StringComparison.Ordinal);
 }

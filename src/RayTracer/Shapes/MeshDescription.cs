@@ -76,6 +76,11 @@ public sealed record MeshDescription : ShapeDescription
     [Parameter("Whether the colours that a file gives its corners are ignored. Otherwise the material's colour is multiplied by them.")]
     public bool IgnoreColors { get; init; }
 
+    /// <summary>The name of the attribute whose colours replace those of the corners; empty for none.</summary>
+    [Parameter("Which further colours of a PLY file replace those of its corners: of properties r, g, b of faces, \"face_color\"; of heat_0, heat_1, heat_2 of vertices, "
+        + "\"vertex_heat\"; of heat_r …, \"vertex_heat_color\". They are linear.")]
+    public string ColorAttribute { get; init; } = "";
+
     /// <summary>The triangles as a program gives them, instead of the file or the lists; null where there are none.</summary>
     public MeshData? Data { get; init; }
 

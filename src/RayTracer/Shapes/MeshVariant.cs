@@ -8,7 +8,7 @@ internal static class MeshVariant
 {
     /// <summary>True where nothing changes.</summary>
     public static bool IsOwn(MeshDescription wanted) =>
-        wanted is { Shading: MeshShading.Own, FlipNormals: false, FlipV: false, IgnoreColors: false };
+        wanted is { Shading: MeshShading.Own, FlipNormals: false, FlipV: false, IgnoreColors: false, ColorAttribute: "" };
 
     /// <summary>The triangles as they are wanted; the same ones where they are.</summary>
     public static MeshData Of(MeshData mesh, MeshDescription wanted)
@@ -24,12 +24,30 @@ internal static class MeshVariant
             MeshShading.Smooth => mesh.Normals ?? SmoothNormals(mesh),
             _ => mesh.Normals,
         };
-        return new(mesh.Positions, wanted.FlipNormals ? Turned(mesh.Indices) : mesh.Indices)
+        MeshAttribute? attribute = mesh.Attributes.FirstOrDefault(a => a.Name == wanted.ColorAttribute);
+        MeshData variant = new(mesh.Positions, wanted.FlipNormals ? Turned(mesh.Indices) : mesh.Indices)
         {
             Normals = wanted.FlipNormals && normals is not null ? [.. normals.Select(n => -n)] : normals,
             Uv = wanted.FlipV && mesh.Uv is not null ? [.. mesh.Uv.Select(uv => new Vector2(uv.X, 1 - uv.Y))] : mesh.Uv,
-            Colors = wanted.IgnoreColors ? null : mesh.Colors,
+            Colors = wanted.IgnoreColors ? null : attribute is { IsOfTriangles: false } ? attribute.Values : mesh.Colors,
             Tangents = wanted.FlipV || wanted.FlipNormals ? null : mesh.Tangents,
+            MaterialOfTriangle = mesh.MaterialOfTriangle,
+        };
+        return attribute is { IsOfTriangles: true } ? Apart(variant, attribute.Values) : variant;
+    }
+
+    // Triangles that share no corner, so that each has its colour.
+    private static MeshData Apart(MeshData mesh, Rgb[] colors)
+    {
+        int[] corners = [.. mesh.Indices.Where((_, i) => i / 3 < colors.Length)];
+        T[]? Each<T>(T[]? values) => values is null ? null : [.. corners.Select(c => (uint)c < (uint)values.Length ? values[c] : default!)];
+        bool AreThere(int triangle) => AreCorners(corners.AsSpan(3 * triangle, 3), mesh.Positions.Length);
+        return new(Each(mesh.Positions)!, [.. Enumerable.Range(0, corners.Length).Select(i => AreThere(i / 3) ? i : int.MaxValue)])
+        {
+            Normals = Each(mesh.Normals),
+            Uv = Each(mesh.Uv),
+            Colors = [.. corners.Select((_, i) => colors[i / 3])],
+            Tangents = Each(mesh.Tangents),
             MaterialOfTriangle = mesh.MaterialOfTriangle,
         };
     }

@@ -67,12 +67,19 @@ public sealed record ImageTextureDescription : TextureDescription
         + "the texture stands for a number, and are not where it is a colour. Floating-point files are always linear.")]
     public bool? Raw { get; init; }
 
+    /// <summary>True where only the picture's luminance counts.</summary>
+    [Parameter("Whether the picture is made grey by its luminance (Rec. 709) first. Where a texture stands for a number, the red channel of a coloured picture counts otherwise.")]
+    public bool Luminance { get; init; }
+
     /// <summary>The picture as a program gives it (decoded, or raw), instead of the file; null where there is none.</summary>
     public Picture? Picture { get; init; }
 
     /// <inheritdoc/>
-    public override Texture Build(SceneBuilder builder) =>
-        new ImageTexture(Picture ?? builder.Picture(this, nameof(File), File, Raw ?? builder.ReadsNumbers), Interpolation, Wrapping, Scale, Offset, VerticalWrapping);
+    public override Texture Build(SceneBuilder builder)
+    {
+        Picture picture = Picture ?? builder.Picture(this, nameof(File), File, Raw ?? builder.ReadsNumbers);
+        return new ImageTexture(Luminance ? picture.Grey() : picture, Interpolation, Wrapping, Scale, Offset, VerticalWrapping);
+    }
 }
 
 /// <summary>

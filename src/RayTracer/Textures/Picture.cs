@@ -54,6 +54,19 @@ public sealed class Picture : IImageRows
     /// <summary>3·Width·Height floats: linear red, green and blue of each pixel, rows from top to bottom.</summary>
     public float[] Pixels { get; }
 
+    /// <summary>The picture with the luminance of its pixels; those that are grey stay as they are.</summary>
+    internal Picture Grey()
+    {
+        Picture grey = new(Width, Height);
+        for (int i = 0; i < Pixels.Length; i += 3)
+        {
+            (float r, float g, float b) = (Pixels[i], Pixels[i + 1], Pixels[i + 2]);
+            grey.Pixels.AsSpan(i, 3).Fill(r == g && g == b ? r : new Numerics.Rgb(r, g, b).Luminance);
+        }
+
+        return grey;
+    }
+
     /// <inheritdoc/>
     public void ReadRow(int y, Span<float> rgb) => Pixels.AsSpan(3 * y * Width, 3 * Width).CopyTo(rgb);
 }

@@ -273,6 +273,6 @@ public class MitsubaThingsTests
 
     [Theory]
     [InlineData("""<shape type="shapegroup" id="a"><shape type="shapegroup"><shape type="sphere"/></shape></shape>""", "a shapegroup cannot hold another one")]
-    [InlineData("""<shape type="sphere"><bsdf type="diffuse"><texture name="reflectance" type="mesh_attribute"><string name="name" value="face_color"/></texture></bsdf></shape>""", "of the attributes of meshes, only \"vertex_color\" is supported")]
+    [InlineData("""<shape type="sphere"><bsdf type="diffuse"><texture name="reflectance" type="mesh_attribute"><string name="name" value="heat"/></texture></bsdf></shape>""", "the name of a mesh's attribute begins with vertex_ or face_, as in \"vertex_color\"")]
     public void What_is_not_read_is_said(string things, string message) => Assert.Equal(message, TestScene.Complaint(things));
 }

@@ -21,6 +21,9 @@ internal static class BitScenes
     /// <summary>A lamp that is a mesh, just behind a pane of nothing.</summary>
     public const string LampBehindPane = "lamp-behind-pane";
 
+    /// <summary>Panes, masks and a cloud that are no bounce.</summary>
+    public const string StraightThrough = "straight-through";
+
     private const string Everything = "everything-";
     private const string Split = "split/";
     private const string LightPath = "light-paths-";
@@ -125,9 +128,25 @@ internal static class BitScenes
         }
         """;
 
+    private const string Panes = """
+        {
+          "camera": { "position": [0, 1.6, 5], "lookAt": [0, 0.8, 0], "fieldOfView": 40 },
+          "render": { "width": 32, "height": 24, "samplesPerPixel": 4, "integrator": "volPath", "maxDepth": 3, "straightThrough": true },
+          "background": [0.1, 0.15, 0.2],
+          "shapes": [
+            { "type": "plane", "point": [0, 0, 0], "normal": [0, 1, 0], "material": { "type": "roughConductor", "metal": "gold", "alpha": 0.3 } },
+            { "type": "sphere", "center": [-0.8, 0.6, 0], "radius": 0.6, "material": { "type": "mask", "opacity": 0.5, "material": { "type": "diffuse", "color": 0.7 } } },
+            { "type": "sphere", "center": [0.8, 0.6, 0], "radius": 0.6, "material": { "type": "invisible", "interior": { "extinction": [1, 2, 3], "albedo": 0.9 } } },
+            { "type": "rectangle", "corner": [-1.5, 1.4, 1], "edgeU": [3, 0, 0], "edgeV": [0, 0.3, -2], "material": { "type": "thinDielectric", "specularTransmittance": [0.9, 0.6, 0.3] } },
+            { "type": "sphere", "center": [0, 3, 0], "radius": 0.4, "material": { "type": "luminaire", "multiplier": 20 } },
+            { "type": "point", "position": [1, 2.5, 1], "intensity": 3 }
+          ]
+        }
+        """;
+
     /// <summary>Names of all scenes.</summary>
     public static IReadOnlyList<string> All { get; } =
-        [.. Report, .. Samplers, .. Splitting, "shapes", "cornell", Hills, DispersingShadows, WrappedBoundaries, MeshLamps, LampBehindPane, .. Folders.SelectMany(In)];
+        [.. Report, .. Samplers, .. Splitting, "shapes", "cornell", Hills, DispersingShadows, WrappedBoundaries, MeshLamps, LampBehindPane, StraightThrough, .. Folders.SelectMany(In)];
 
     /// <summary>Names of scenes that are guided.</summary>
     public static string[] Guided => ["guided/screen"];
@@ -180,6 +199,7 @@ internal static class BitScenes
         : name == WrappedBoundaries ? TestScenes.Build(Clouds)
         : name == MeshLamps ? TestScenes.Build(Walls)
         : name == LampBehindPane ? TestScenes.Build(Pane)
+        : name == StraightThrough ? TestScenes.Build(Panes)
         : name.StartsWith(Split, StringComparison.Ordinal)
             ? SceneRuns.Load(ProjectFolder.PathOf("scenes", name[Split.Length..] + ".json"), d => d with { Render = Small(d, 24, 24).Render with { SamplesPerPixel = 64 } })
         : SceneRuns.Load(ProjectFolder.PathOf("scenes", name + ".json"), name.StartsWith("report", StringComparison.Ordinal) ? d => Small(d, 64, 64) : d => Small(d, 32, 24));

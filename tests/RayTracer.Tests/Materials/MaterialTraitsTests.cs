@@ -5,6 +5,7 @@ using RayTracer.Materials;
 using RayTracer.Media;
 using RayTracer.Numerics;
 using RayTracer.Rendering;
+using RayTracer.Sampling;
 using RayTracer.Shapes;
 using RayTracer.Spectra;
 using RayTracer.Tests.Statistics;
@@ -117,6 +118,30 @@ public class MaterialTraitsTests
         }
     }
 
+    [Fact]
+    public void The_share_that_goes_straight_is_the_mean_weight_of_straight_choices()
+    {
+        List<string> others = [];
+        foreach (MaterialCase material in MaterialCase.All.Where(c => c.Index != 1 || c.Material is not DielectricMaterial))
+        {
+            foreach (Material around in new[] { material.Material, new MaskMaterial(material.Material, Grey(0.4f)), new OneSidedMaterial(material.Material) })
+            {
+                foreach (bool inside in new[] { false, true })
+                {
+                    SurfaceW surface = new SurfaceCase(0.6, inside).Prepare(around);
+                    around.Straight(surface, out RgbW share);
+                    double mean = MeanOfStraight(around, surface);
+                    if (Math.Abs(mean - share.G[0]) > 0.01 || (share.G[0] > 0 && !around.Traits.PassesStraight))
+                    {
+                        others.Add($"{around.GetType().Name} of {material}, from {(inside ? "behind" : "outside")}: {share.G[0]}, but chosen {mean}");
+                    }
+                }
+            }
+        }
+
+        Assert.True(others.Count == 0, string.Join('\n', others));
+    }
+
     [Theory]
     [MemberData(nameof(Lettings))]
     public void What_lets_light_through_has_no_two_sides_whatever_is_around_it(string name)
@@ -128,6 +153,22 @@ public class MaterialTraitsTests
             builder.Material(new TwoSidedMaterialDescription { Front = new GivenDescription(s_neutral[around](material)) });
             Assert.Contains(builder.Complaints, c => c.Message.Contains("no separate sides", StringComparison.Ordinal));
         }
+    }
+
+    private static double MeanOfStraight(Material material, SurfaceW surface)
+    {
+        const int side = 6;
+        VertexSamples samples = new(new GridSampler(side));
+        double sum = 0;
+        for (int i = 0; i < 1 << (2 * side); i++)
+        {
+            samples.Begin(0u, (uint)i, 0u);
+            material.Scatter(surface, samples, out ScatterW scatter);
+            bool isStraight = (scatter.Direction.X[0], scatter.Direction.Y[0], scatter.Direction.Z[0]) == (surface.Incoming.X[0], surface.Incoming.Y[0], surface.Incoming.Z[0]);
+            sum += isStraight && (scatter.Delta.Bits & ~scatter.Absorbed.Bits & 1) != 0 ? scatter.Weight.G[0] : 0;
+        }
+
+        return sum / (1 << (2 * side));
     }
 
     private static bool IsNeutral(string around, Integrator integrator, MaterialCase material) => around switch

@@ -41,6 +41,15 @@ public class TextureTests
     }
 
     [Fact]
+    public void A_picture_has_the_luminance_of_coloured_pixels_and_the_bits_of_grey_ones()
+    {
+        Picture grey = new Picture(2, 1, [0.5f, 0.25f, 1, 0.3f, 0.3f, 0.3f]).Grey();
+        Assert.Equal((0.2126 * 0.5) + (0.7152 * 0.25) + 0.0722, grey.Pixels[0], 1e-6);
+        Assert.Equal(grey.Pixels[0], grey.Pixels[2]);
+        Assert.All(grey.Pixels[3..], p => Assert.Equal(0.3f, p));
+    }
+
+    [Fact]
     public void Bicubic_never_undershoots_below_black()
     {
         ImageTexture texture = new(new(4, 1, [0, 0, 0, 0, 0, 0, 1, 0, 0, 1, 0, 0]), Interpolation.Bicubic, Wrapping.Clamp, Vector2.One, Vector2.Zero);

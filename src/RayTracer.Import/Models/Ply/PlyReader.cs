@@ -44,12 +44,13 @@ internal static class PlyReader
         var values = new PlyValues(file, header.Format, text);
         Vertices? vertices = null;
         List<int> indices = [];
+        List<MeshAttribute> attributes = [];
         foreach (PlyElement element in header.Elements)
         {
             switch (element.Name)
             {
                 case "vertex" when vertices is null:
-                    vertices = ReadVertices(ref values, element);
+                    vertices = ReadVertices(ref values, element, attributes);
                     break;
                 case "face" or "faces" or "tristrips":
                     if (vertices is null)
@@ -57,7 +58,7 @@ internal static class PlyReader
                         throw new ModelException("faces come before the vertices that they refer to", element.Line);
                     }
 
-                    ReadFaces(ref values, element, vertices.Positions, indices, notes);
+                    ReadFaces(ref values, element, vertices.Positions, indices, attributes, notes);
                     break;
                 default:
                     Skip(ref values, element);
@@ -67,7 +68,7 @@ internal static class PlyReader
 
         return vertices is null
             ? throw new ModelException("there are no vertices in it")
-            : new MeshData(vertices.Positions, [.. indices]) { Normals = vertices.Normals, Uv = vertices.Uv, Colors = vertices.Colors };
+            : new MeshData(vertices.Positions, [.. indices]) { Normals = vertices.Normals, Uv = vertices.Uv, Colors = vertices.Colors, Attributes = attributes };
     }
 
     // Mitsuba's own files hold linear light, as numbers with a point and by these names.
@@ -88,8 +89,9 @@ internal static class PlyReader
         }
     }
 
-    private static Vertices ReadVertices(ref PlyValues values, PlyElement element)
+    private static Vertices ReadVertices(ref PlyValues values, PlyElement element, List<MeshAttribute> attributes)
     {
+        PlyAttributes more = new("vertex", element, p => SlotOf(p) >= 0);
         int[] slots = [.. element.Properties.Select(SlotOf)];
         bool Has(params int[] all) => all.All(slots.Contains);
         if (!Has(0, 1, 2))
@@ -112,10 +114,11 @@ internal static class PlyReader
                 }
                 else
                 {
-                    values.Skip(properties[p]);
+                    more.Read(ref values, element, p);
                 }
             }
 
+            more.Add(1);
             vertices.Positions[i] = new Vector3(v[0], v[1], v[2]);
             Set(vertices.Normals, i, new Vector3(v[3], v[4], v[5]));
             Set(vertices.Uv, i, new Vector2(v[6], v[7]));
@@ -125,6 +128,7 @@ internal static class PlyReader
             }
         }
 
+        attributes.AddRange(more.All);
         return vertices;
     }
 
@@ -140,7 +144,8 @@ internal static class PlyReader
         ? Array.Find(s_slots, s => s.Names.Contains(property.Name)) is { Names: not null } found ? found.Slot : -1
         : -1;
 
-    private static void ReadFaces(ref PlyValues values, PlyElement element, Vector3[] positions, List<int> indices, List<string> notes)
+    private static void ReadFaces(
+        ref PlyValues values, PlyElement element, Vector3[] positions, List<int> indices, List<MeshAttribute> attributes, List<string> notes)
     {
         int place = element.Properties.FindIndex(p => p.CountType is not null && p.Name is "vertex_indices" or "vertex_index");
         if (place < 0)
@@ -154,13 +159,15 @@ internal static class PlyReader
         var cutter = new PolygonCutter();
         var face = new Face();
         PlyProperty[] properties = [.. element.Properties];
+        PlyAttributes more = new("face", element, _ => isStrip);
         for (int i = 0; i < count; i++)
         {
+            int before = indices.Count;
             for (int p = 0; p < properties.Length; p++)
             {
                 if (p != place)
                 {
-                    values.Skip(properties[p]);
+                    more.Read(ref values, element, p);
                     continue;
                 }
 
@@ -180,8 +187,11 @@ internal static class PlyReader
                     face.AddPolygon(cutter, positions, indices);
                 }
             }
+
+            more.Add((indices.Count - before) / 3);
         }
 
+        attributes.AddRange(more.All);
         NoteWhatIsLeft(element, face, cutter, notes);
     }
 
