@@ -120,7 +120,8 @@ public static class OldFilms
             return Of(scene);
         }
 
-        private static readonly string[] s_later = ["mergeRadius", "splitting"];
+        private static readonly string[] s_later =
+            ["mergeRadius", "splitting", "straightThrough", "hideLights", "colorAttribute", "luminance", "density", "noise", "albedoGrid"];
 
         private protected override bool Counts(RecordParameter parameter, object? value) => !s_later.Contains(parameter.Key) || base.Counts(parameter, value);
 

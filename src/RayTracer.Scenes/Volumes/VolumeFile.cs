@@ -6,6 +6,11 @@ namespace RayTracer.Scenes;
 /// <summary>Reads files of grids, by their extensions: those of Mitsuba, NanoVDB, and nothing but numbers.</summary>
 public static class VolumeFile
 {
+    private static readonly string[] s_extensions = [".raw", ".vol", ".nvdb"];
+
+    /// <summary>True where a path has an extension that grids usually have.</summary>
+    public static bool IsNamed(string path) => s_extensions.Contains(Path.GetExtension(path), StringComparer.OrdinalIgnoreCase);
+
     // The most that a file may hold, so that its numbers fit in one array.
     private const long MostBytes = (4 * VolumeGrid.MostNumbers) + (64L << 20);
 
