@@ -113,15 +113,16 @@ public static class OldFilms
     // All parameters that there were; later ones have no effect where they are as without them.
     private sealed class OldHash(string folder) : ContentHash(folder)
     {
+        // Parameters that came after the first format: they count only where they are given.
+        private static readonly string[] s_later =
+            ["mergeRadius", "splitting", "straightThrough", "hideLights", "colorAttribute", "luminance", "density", "noise", "albedoGrid"];
+
         public string Of(SceneDescription scene, Tile? crop)
         {
             Text(Software);
             Text($"{crop}");
             return Of(scene);
         }
-
-        private static readonly string[] s_later =
-            ["mergeRadius", "splitting", "straightThrough", "hideLights", "colorAttribute", "luminance", "density", "noise", "albedoGrid"];
 
         private protected override bool Counts(RecordParameter parameter, object? value) => !s_later.Contains(parameter.Key) || base.Counts(parameter, value);
 

@@ -6,13 +6,14 @@ namespace RayTracer.Scenes;
 /// <summary>Reads files of grids, by their extensions: those of Mitsuba, NanoVDB, and nothing but numbers.</summary>
 public static class VolumeFile
 {
-    private static readonly string[] s_extensions = [".raw", ".vol", ".nvdb"];
-
-    /// <summary>True where a path has an extension that grids usually have.</summary>
-    public static bool IsNamed(string path) => s_extensions.Contains(Path.GetExtension(path), StringComparer.OrdinalIgnoreCase);
-
     // The most that a file may hold, so that its numbers fit in one array.
     private const long MostBytes = (4 * VolumeGrid.MostNumbers) + (64L << 20);
+
+    private static readonly Dictionary<string, GridFormat> s_formats =
+        new(StringComparer.OrdinalIgnoreCase) { [".vol"] = GridFormat.Vol, [".nvdb"] = GridFormat.NanoVdb, [".raw"] = GridFormat.Raw };
+
+    /// <summary>True where a path has an extension of grids; files of any other one are read as numbers, too.</summary>
+    public static bool IsNamed(string path) => s_formats.ContainsKey(Path.GetExtension(path));
 
     /// <summary>Reads a grid.</summary>
     /// <param name="path">The file's path.</param>
@@ -32,8 +33,6 @@ public static class VolumeFile
             throw new VolumeException(tooMuch);
         }
 
-        bool isNanoVdb = Path.GetExtension(path).Equals(".nvdb", StringComparison.OrdinalIgnoreCase);
-        bool isVol = Path.GetExtension(path).Equals(".vol", StringComparison.OrdinalIgnoreCase);
         if (stream.Length > Array.MaxLength)
         {
             throw new VolumeException($"it has {stream.Length:N0} bytes, but at most {Array.MaxLength:N0} are read");
@@ -41,7 +40,7 @@ public static class VolumeFile
 
         byte[] bytes = new byte[stream.Length];
         stream.ReadExactly(bytes);
-        return Read(bytes, isVol ? GridFormat.Vol : isNanoVdb ? GridFormat.NanoVdb : GridFormat.Raw, description);
+        return Read(bytes, s_formats.GetValueOrDefault(Path.GetExtension(path), GridFormat.Raw), description);
     }
 
     /// <summary>Reads a grid from the bytes of a file.</summary>

@@ -1,5 +1,6 @@
 using System.Text.Json.Nodes;
 using RayTracer.Description;
+using RayTracer.Imaging;
 using RayTracer.Scenes;
 
 namespace RayTracer.Session;
@@ -7,9 +8,12 @@ namespace RayTracer.Session;
 /// <summary>The files that a scene's text names.</summary>
 public static class FileNames
 {
-    /// <summary>The places of all names: of pictures and models, and of the schema.</summary>
+    /// <summary>The places of all names: of pictures, models and grids, and of the schema.</summary>
     internal static IEnumerable<SceneValue> All(JsonText text) => SceneValue.Scene(text.Root).WithInner()
         .Where(v => v is { Parameter.IsFile: true, Node: { Kind: JsonKind.String, Text.Length: > 0 } node } && !node.Text.Contains('\0', StringComparison.Ordinal));
+
+    /// <summary>True for the name of a picture, model or grid: scenes have no use for other files.</summary>
+    internal static bool IsNamed(string path) => ImageFormat.OfName(path) is not null || ModelFile.IsModel(path) || VolumeFile.IsNamed(path);
 
     /// <summary>
     /// Rewrites relative names for a text that moves to another folder, so that they name the same files. Names of no file stay.

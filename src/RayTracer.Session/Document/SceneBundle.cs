@@ -32,7 +32,7 @@ public static class SceneBundle
         {
             string path = Path.GetFullPath(Path.Combine(place.Folder, node.Text));
             bool isModel = ModelFile.IsModel(path);
-            if (!File.Exists(path) || !(isModel || ImageFormat.OfName(path) is not null || VolumeFile.IsNamed(path)))
+            if (!File.Exists(path) || !FileNames.IsNamed(path))
             {
                 missing.Add(node.Text);
                 continue;

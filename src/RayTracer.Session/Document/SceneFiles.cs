@@ -172,12 +172,10 @@ public sealed class SceneFiles
 
     /// <summary>The contents of a folder, for a dialog.</summary>
     /// <param name="path">The folder; null for the user's own.</param>
-    /// <param name="isNamed">True if pictures and models are looked for, which a scene may name, instead of what can be opened.</param>
+    /// <param name="isNamed">True if pictures, models and grids are looked for, which a scene may name, instead of what can be opened.</param>
     /// <exception cref="SessionException">It cannot be listed.</exception>
     public FolderListing List(string? path = null, bool isNamed = false) =>
-        FolderListing.Of(string.IsNullOrEmpty(path) ? _folders.Home : Whole(path), isNamed ? IsNamed : CanOpen);
-
-    private static bool IsNamed(string name) => ImageFormat.OfName(name) is not null || ModelFile.IsModel(name);
+        FolderListing.Of(string.IsNullOrEmpty(path) ? _folders.Home : Whole(path), isNamed ? FileNames.IsNamed : CanOpen);
 
     private void OpenFile(string path, bool isOwn)
     {

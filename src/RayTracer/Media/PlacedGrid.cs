@@ -86,7 +86,7 @@ internal sealed unsafe class PlacedGrid(VolumeGrid grid, Transform place, GridIn
         List<int> points = [];
         for (int i = first; i <= last; i++)
         {
-            points.Add((int)Wrap(i, count)[0] is var wrapped ? int.Clamp(wrapped, 0, count - 1) : 0);
+            points.Add((int)wrapping.Index(i, count)[0] is var wrapped ? int.Clamp(wrapped, 0, count - 1) : 0);
         }
 
         return points;
@@ -103,21 +103,7 @@ internal sealed unsafe class PlacedGrid(VolumeGrid grid, Transform place, GridIn
 
     // The clamp also catches what is no number, so that no lane can read outside the grid.
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    private UIntW Row(FloatW i, int count, uint stride) => FloatW.Max(0f, FloatW.Min(wrapping == Wrapping.Clamp ? i : Wrap(i, count), count - 1)).ToIntInRange() * stride;
-
-    private FloatW Wrap(FloatW i, int n)
-    {
-        switch (wrapping)
-        {
-            case Wrapping.Repeat:
-                return FloatW.NegatedMultiplyAdd(FloatW.Floor(i / n), n, i);
-            case Wrapping.Mirror:
-                FloatW inPair = FloatW.NegatedMultiplyAdd(FloatW.Floor(i / (2f * n)), 2f * n, i);
-                return FloatW.Min(inPair, (2 * n) - 1 - inPair);
-            default:
-                return i;
-        }
-    }
+    private UIntW Row(FloatW i, int count, uint stride) => FloatW.Max(0f, FloatW.Min(wrapping.Index(i, count), count - 1)).ToIntInRange() * stride;
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     private static FloatW Line(float* values, UIntW low, UIntW high, FloatW part) => Mix(FloatW.Gather(values, low), FloatW.Gather(values, high), part);

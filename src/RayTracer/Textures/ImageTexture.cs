@@ -18,19 +18,6 @@ public enum Interpolation
     Bicubic,
 }
 
-/// <summary>The continuation of a texture outside its picture.</summary>
-public enum Wrapping
-{
-    /// <summary>The picture again and again.</summary>
-    Repeat,
-
-    /// <summary>The texels of its edge.</summary>
-    Clamp,
-
-    /// <summary>The picture and its mirror image in turn.</summary>
-    Mirror,
-}
-
 /// <summary>Describes an <see cref="ImageTexture"/>.</summary>
 [SceneType("image", "A picture from a file (PNG, JPEG, PFM, OpenEXR, Radiance HDR).")]
 public sealed record ImageTextureDescription : TextureDescription
@@ -228,23 +215,8 @@ internal sealed unsafe class ImageTexture : Texture
     // Where a column and a row begin, in floats. Indices are whole numbers in floats; the clamp also catches NaN, so no lane can
     // read outside the picture.
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    private UIntW Column(FloatW i) => FloatW.Max(0f, FloatW.Min(Wrap(i, _width, _wrapping), _width - 1)).ToIntInRange() * 3u;
+    private UIntW Column(FloatW i) => FloatW.Max(0f, FloatW.Min(_wrapping.Index(i, _width), _width - 1)).ToIntInRange() * 3u;
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    private UIntW Row(FloatW i) => FloatW.Max(0f, FloatW.Min(Wrap(i, _height, _verticalWrapping), _height - 1)).ToIntInRange() * (3u * (uint)_width);
-
-    [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    private static FloatW Wrap(FloatW i, int n, Wrapping wrapping)
-    {
-        switch (wrapping)
-        {
-            case Wrapping.Repeat:
-                return FloatW.NegatedMultiplyAdd(FloatW.Floor(i / n), n, i);
-            case Wrapping.Mirror:
-                FloatW inPair = FloatW.NegatedMultiplyAdd(FloatW.Floor(i / (2f * n)), 2f * n, i);
-                return FloatW.Min(inPair, (2 * n) - 1 - inPair);
-            default:
-                return i;
-        }
-    }
+    private UIntW Row(FloatW i) => FloatW.Max(0f, FloatW.Min(_verticalWrapping.Index(i, _height), _height - 1)).ToIntInRange() * (3u * (uint)_width);
 }

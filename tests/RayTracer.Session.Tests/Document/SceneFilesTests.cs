@@ -220,7 +220,8 @@ public sealed class SceneFilesTests : IDisposable
         FolderListing listing = Files.List(_folder["list"]);
         Assert.Equal(["a.OBJ", "b.json"], listing.Files.Select(f => f.Name));
         _folder.Write("list/d.png", "");
-        Assert.Equal(["a.OBJ", "d.png"], Files.List(_folder["list"], isNamed: true).Files.Select(f => f.Name));
+        _folder.Write("list/e.vol", "");
+        Assert.Equal(["a.OBJ", "d.png", "e.vol"], Files.List(_folder["list"], isNamed: true).Files.Select(f => f.Name));
         Assert.Equal(["sub"], listing.Folders);
         Assert.Equal(_folder.FullName, listing.Parent);
         Assert.Equal(_folder.FullName, Files.List().Path);
