@@ -24,6 +24,18 @@ public class HiddenLightTests
         Assert.Equal(0, Seen("", more + Lamp, integrator, "[0, 9, 0]"));
     }
 
+    [Theory]
+    [InlineData("path")]
+    [InlineData("direct")]
+    [InlineData("volPath")]
+    public void A_hidden_lamp_that_shines_at_the_camera_adds_nothing(string integrator)
+    {
+        const string lit = """{ "type": "point", "position": [0, 0.5, 0], "intensity": 1 },""";
+        const string upwards = """{ "type": "rectangle", "corner": [-1, 2, 1], "edgeU": [2, 0, 0], "edgeV": [0, 0, -2], "material": { "type": "luminaire", "multiplier": 2 } },""";
+        Assert.Equal(2, Seen("", lit + upwards, integrator, "[0, 9, 0]"), 1e-3);
+        Assert.InRange(Seen("\"hideLights\": true", lit + upwards, integrator, "[0, 9, 0]") / Seen("", lit, integrator, "[0, 9, 0]"), 0.995, 1.005);
+    }
+
     [Fact]
     public void Fog_around_a_hidden_lamp_is_as_thick_as_without_it()
     {
