@@ -48,7 +48,7 @@ public sealed class BenchAgainstTests : IDisposable
         }
 
         Other($"while [ $# -gt 0 ]; do case $1 in --seed) seed=$2;; -o) file=$2;; esac; shift; done; cd '{_folder["."]}'; cp $seed.pfm \"$file\"; cat $seed.json");
-        CliRun run = CliRun.Of("bench", _scene, "--against", _folder["other"], "--spp", "64", "--rounds", "6");
+        CliRun run = CliRun.Alone("bench", _scene, "--against", _folder["other"], "--spp", "64", "--rounds", "6");
         Assert.Equal(ExitStatus.Different, run.Status);
         Assert.Contains("(same bits)", run.Output, StringComparison.Ordinal);
         Assert.Contains("of the time to the same noise", run.Error, StringComparison.Ordinal);
@@ -84,7 +84,7 @@ public sealed class BenchAgainstTests : IDisposable
 
     private JsonElement Bench(string folder, params string[] more)
     {
-        CliRun run = CliRun.Of(["bench", _scene, "--against", folder, "--json", .. more]);
+        CliRun run = CliRun.Alone(["bench", _scene, "--against", folder, "--json", .. more]);
         Assert.True(run.Status is ExitStatus.Fine or ExitStatus.Different, run.Error);
         return JsonDocument.Parse(run.Output).RootElement;
     }
