@@ -1,4 +1,3 @@
-using System.Diagnostics;
 using System.Text.Json;
 using RayTracer.Cli;
 
@@ -26,16 +25,6 @@ internal sealed record CliRun(int Status, string Output, string Error)
 
     /// <summary>Runs the command within this process, as if standard error were a terminal.</summary>
     public static CliRun OnTerminal(params string[] args) => Of(args, hasTerminal: true);
-
-    /// <summary>Runs the command as a process of its own: what it counts of its children is not mixed with those of other tests.</summary>
-    public static CliRun Alone(params string[] args)
-    {
-        using Process process = Process.Start(new ProcessStartInfo(ProcessTests.Program, args) { UseShellExecute = false, RedirectStandardOutput = true, RedirectStandardError = true })!;
-        Task<string> error = process.StandardError.ReadToEndAsync();
-        string output = process.StandardOutput.ReadToEnd();
-        process.WaitForExit();
-        return new(process.ExitCode, output, error.Result);
-    }
 
     /// <summary>Runs a command that must succeed.</summary>
     public static CliRun Fine(params string[] args)

@@ -11,7 +11,7 @@ namespace RayTracer.Cli.Tests;
 /// <summary>The command as a process of its own.</summary>
 public sealed class ProcessTests : IDisposable
 {
-    private const int Patience = 60_000;
+    private const int Patience = 240_000;
     private readonly TemporaryFolder _folder = new();
     private readonly string _scene;
 
@@ -206,7 +206,7 @@ public sealed class ProcessTests : IDisposable
         return Process.Start(start)!;
     }
 
-    private static (int Status, string Output, string Error) Finish(Process process)
+    internal static (int Status, string Output, string Error) Finish(Process process)
     {
         using (process)
         {
