@@ -41,6 +41,7 @@ internal sealed class StudioServer : IAsyncDisposable
         acting.MapView(session);
         acting.MapTimeline(session);
         acting.MapInspection(session);
+        acting.MapHelp(session);
         acting.MapSaving(session);
         api.MapFallback("{**path}", () => { throw new SessionException("There is no such request.", SessionFault.Missing); });
         _app.MapFallback("{**path}", new EmbeddedAssets().Serve);

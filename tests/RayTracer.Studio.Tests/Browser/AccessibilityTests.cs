@@ -31,6 +31,10 @@ public class AccessibilityTests(ChromiumBrowser browser)
         await w.Page.Keyboard.PressAsync("?");
         await Check("shortcuts", w, axe);
         await w.Page.Keyboard.PressAsync("Escape");
+        await w.Page.Keyboard.PressAsync("F1");
+        await Expect(w.Page.GetByRole(AriaRole.Article)).ToContainTextAsync("The picture");
+        await Check("help", w, axe);
+        await w.Page.Keyboard.PressAsync("Escape");
         w.Session.Files.Open(ProjectFolder.PathOf("scenes", "animation", "01-turn.json"));
         await w.Page.GetByRole(AriaRole.Button, new() { NameRegex = new("camera.position: key at frame 0") }).ClickAsync();
         await w.Painted();

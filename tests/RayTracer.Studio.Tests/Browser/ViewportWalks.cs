@@ -122,23 +122,25 @@ public class ViewportWalks(ChromiumBrowser browser)
         await using StudioWindow w = await StudioWindow.OpenEndless(browser);
         await w.Button("Stop").ClickAsync();
         await Expect(w.Status).ToContainTextAsync("stopped");
-        (int painted, int samples) = await Settled(w);
+        await Settled(w);
+        int samples = await w.Data("samples");
+        long version = w.Session.View.Frames.Changes.Version;
 
         await w.Button("Display").ClickAsync();
         await w.Page.GetByRole(AriaRole.Spinbutton, new() { Name = "Exposure", Exact = true }).FillAsync("2");
         await w.Page.Keyboard.PressAsync("Enter");
 
-        await StudioWindow.Until("a frame is painted", async () => await w.Data("painted") > painted);
+        await StudioWindow.Until("the exposure arrives", () => Task.FromResult(w.Session.View.Tone.Exposure == 2));
+        await StudioWindow.Until("a frame is painted", async () => await w.Data("version") > version);
         Assert.Equal(samples, await w.Data("samples"));
-        Assert.Equal(2, w.Session.View.Tone.Exposure);
         await w.Page.GetByRole(AriaRole.Combobox, new() { Name = "Exposure is chosen", Exact = true }).SelectOptionAsync("auto");
         ILocator stops = w.Page.GetByRole(AriaRole.Spinbutton, new() { Name = "Exposure", Exact = true });
         await StudioWindow.Until("the automatic exposure is shown", async () => await stops.InputValueAsync() != "2");
         Assert.Equal(Exposure.Auto, w.Session.View.Tone.Exposure);
-        painted = await w.Data("painted");
+        version = w.Session.View.Frames.Changes.Version;
         await w.Page.GetByRole(AriaRole.Combobox, new() { Name = "Tone map", Exact = true }).SelectOptionAsync("reinhard");
-        await StudioWindow.Until("another is painted", async () => await w.Data("painted") > painted);
-        Assert.Equal(ToneMap.Reinhard, w.Session.View.Tone.ToneMap);
+        await StudioWindow.Until("the tone map arrives", () => Task.FromResult(w.Session.View.Tone.ToneMap == ToneMap.Reinhard));
+        await StudioWindow.Until("another is painted", async () => await w.Data("version") > version);
         Assert.Equal(samples, await w.Data("samples"));
     }
 
@@ -203,19 +205,10 @@ public class ViewportWalks(ChromiumBrowser browser)
         await StudioWindow.Until($"{what} moves the view", () => Task.FromResult(CameraPose.Of(w.Session.View.Shown!.Camera) != before));
     }
 
-    // Frames painted and samples shown, once a stopped picture's last frame has come.
-    private static async Task<(int Painted, int Samples)> Settled(StudioWindow w)
-    {
-        (int Painted, int Samples) now = default;
-        await StudioWindow.Until("no more frames come", async () =>
-        {
-            (int, int) before = now;
-            await Task.Delay(300);
-            now = (await w.Data("painted"), await w.Data("samples"));
-            return now == before;
-        });
-        return now;
-    }
+    // The newest frame of a picture that is not rendered any more is on the screen.
+    private static Task Settled(StudioWindow w) => StudioWindow.Until(
+        "the last frame is painted",
+        async () => w.Session.View.Loop.Status.Status is "stopped" or "done" && await w.Data("version") == w.Session.View.Frames.Changes.Version);
 
     // The lines of a text that do not hold a word.
     private static string Without(string text, string word) => string.Join('\n', text.Split('\n').Where(l => !l.Contains(word, StringComparison.Ordinal)));

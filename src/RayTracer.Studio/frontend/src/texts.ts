@@ -127,6 +127,10 @@ function textsOf(t: typeof english) {
       copiedCommandOfScene: (text: string) => fill(t.messages.copiedCommandOfScene, { text }),
       pageError: (text: string) => fill(t.messages.pageError, { text }),
     },
+    help: {
+      ...t.help,
+      found: (n: number) => fill(t.help.found, { n }),
+    },
     shortcuts: {
       ...t.shortcuts,
       gestures: t.shortcuts.gestures as unknown as Pairs,

@@ -117,6 +117,35 @@ export interface HandleDrag {
   gesture: string;
 }
 
+export interface HelpEntry {
+  id: string;
+  title: string;
+  group: string;
+  summary: string;
+}
+
+export interface HelpFinding {
+  page: string;
+  title: string;
+  section: string;
+  anchor: string;
+  excerpt: string;
+}
+
+export interface HelpFindings {
+  findings: HelpFinding[];
+}
+
+export interface HelpIndex {
+  pages: HelpEntry[];
+}
+
+export interface HelpPage {
+  id: string;
+  title: string;
+  html: string;
+}
+
 export interface InspectedEmission {
   name: string;
   radiance: Vec3;

@@ -32,4 +32,4 @@ function SourceTab() {
   );
 }
 
-export const tab: DockTab = { id: "source", order: 1, component: SourceTab, badge: () => documentState.value?.diagnostics.length };
+export const tab: DockTab = { id: "source", order: 1, help: "studio#the-source", component: SourceTab, badge: () => documentState.value?.diagnostics.length };

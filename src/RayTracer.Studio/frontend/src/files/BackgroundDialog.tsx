@@ -86,7 +86,7 @@ export function BackgroundDialog() {
     </>
   );
   return (
-    <DialogBox title={t.title} onClose={close} buttons={buttons} wide={kind === "merge"}>
+    <DialogBox title={t.title} onClose={close} buttons={buttons} wide={kind === "merge"} help="studio#rendering-to-files-while-you-work">
       <Segments label={t.what} value={kind} choices={kinds.map((k) => ({ value: k, label: t[k] }))} onChange={(k) => setKind(k as Kind)} />
       <p class="quiet">{about.why}</p>
       {kind === "part" && (

@@ -41,7 +41,7 @@ export function ExportDialog() {
     </>
   );
   return (
-    <DialogBox title={t.exportTitle} onClose={close} buttons={buttons}>
+    <DialogBox title={t.exportTitle} onClose={close} buttons={buttons} help="image-formats">
       <p class="quiet">{t.formatWhy}</p>
       {isOwnView() && (
         <>

@@ -35,7 +35,7 @@ function ChooseDialog({ title, onClose, onChoose, named }: ChooseProps) {
     </>
   );
   return (
-    <DialogBox title={title} onClose={onClose} buttons={buttons} wide>
+    <DialogBox title={title} onClose={onClose} buttons={buttons} wide help="studio#save">
       <FileBrowser start={startFolder()} onFolder={() => setPicked("")} onPick={setPicked} onChoose={choose} picked={picked} named={named} />
     </DialogBox>
   );
@@ -73,7 +73,7 @@ export function SaveAsDialog({ title, fileName, onClose, onSave }: SaveAsProps) 
     </>
   );
   return (
-    <DialogBox title={title} onClose={onClose} buttons={buttons} wide>
+    <DialogBox title={title} onClose={onClose} buttons={buttons} wide help="studio#save">
       <FileBrowser start={startFolder()} onFolder={setFolder} onPick={(path) => setName(nameOf(path))} onChoose={(path) => setName(nameOf(path))} picked="" />
       <label class="line">
         <span>{t.fileName}</span>

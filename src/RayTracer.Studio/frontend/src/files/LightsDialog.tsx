@@ -59,7 +59,7 @@ function Balance({ path, lights }: { path: string; lights: string[] }) {
     </>
   );
   return (
-    <DialogBox title={t.title} onClose={close} buttons={buttons} wide>
+    <DialogBox title={t.title} onClose={close} buttons={buttons} wide help="light-layers">
       {source && <img class="balance" src={source} alt={nameOf(path)} />}
       {lights.map((name) => <Light key={name} name={name} onChange={(f) => setFactors((old) => ({ ...old, [name]: f }))} />)}
     </DialogBox>
@@ -85,7 +85,7 @@ export function LightsDialog() {
     </>
   );
   return (
-    <DialogBox title={t.title} onClose={close} buttons={buttons} wide>
+    <DialogBox title={t.title} onClose={close} buttons={buttons} wide help="light-layers">
       <p class="quiet">{t.why}</p>
       <FileBrowser start={startFolder()} onFolder={() => setPicked("")} onPick={setPicked} onChoose={open} picked={picked} />
     </DialogBox>

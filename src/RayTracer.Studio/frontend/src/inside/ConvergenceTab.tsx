@@ -26,4 +26,4 @@ function ConvergenceTab() {
   );
 }
 
-export const tab: DockTab = { id: "convergence", order: 4, component: ConvergenceTab };
+export const tab: DockTab = { id: "convergence", order: 4, help: "studio#look-inside", component: ConvergenceTab };

@@ -23,4 +23,4 @@ function MapsTab() {
   );
 }
 
-export const tab: DockTab = { id: "maps", order: 3, component: MapsTab };
+export const tab: DockTab = { id: "maps", order: 3, help: "studio#look-inside", component: MapsTab };

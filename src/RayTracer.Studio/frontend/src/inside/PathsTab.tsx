@@ -159,4 +159,4 @@ function PathsTab() {
   );
 }
 
-export const tab: DockTab = { id: "paths", order: 2, component: PathsTab };
+export const tab: DockTab = { id: "paths", order: 2, help: "studio#look-inside", component: PathsTab };

@@ -54,4 +54,4 @@ function TimesTab() {
   );
 }
 
-export const tab: DockTab = { id: "times", order: 5, component: TimesTab };
+export const tab: DockTab = { id: "times", order: 5, help: "how-fast-is-it", component: TimesTab };

@@ -77,6 +77,7 @@ function TreeRow({ row, isReachable }: TreeRowProps) {
       aria-level={level}
       tabIndex={isReachable ? 0 : -1}
       data-pointer={pointer}
+      data-help={node?.type ? `scene-format#${node.type}` : undefined}
       data-tip={node?.summary || undefined}
       style={{ paddingInlineStart: isHeading ? "0.125rem" : `${level * 0.75 - 0.375}rem` }}
       onClick={() => choose(row)}

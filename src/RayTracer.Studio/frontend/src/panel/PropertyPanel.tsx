@@ -40,10 +40,10 @@ export function PropertyPanel() {
         label={texts.right.label}
         chosen={rightTab}
         tabs={[
-          { id: "object", label: texts.right.object, render: () => <SelectedThing /> },
-          { id: "camera", label: texts.right.camera, render: () => <ThingPanel pointer="/camera" without={[]} /> },
-          { id: "render", label: texts.right.render, render: () => <RenderPanel /> },
-          { id: "world", label: texts.right.world, render: () => <World /> },
+          { id: "object", label: texts.right.object, help: "studio#things", render: () => <SelectedThing /> },
+          { id: "camera", label: texts.right.camera, help: "cameras-and-filters", render: () => <ThingPanel pointer="/camera" without={[]} /> },
+          { id: "render", label: texts.right.render, help: "scene-format#render", render: () => <RenderPanel /> },
+          { id: "world", label: texts.right.world, help: "scene-format#environments", render: () => <World /> },
         ]}
       />
     </>

@@ -27,7 +27,7 @@ export function ThingPanel({ pointer, without = ["name"] }: { pointer: string; w
     if (chosen) setValue(pointer, retyped(answer.value, chosen, type));
   };
   return (
-    <section class="thing" aria-label={title}>
+    <section class="thing" aria-label={title} data-help={`scene-format#${type.name}`}>
       {isThing(pointer) && (
         <header>
           <h2>{title}</h2>

@@ -4,13 +4,15 @@ import { OpenDialog, SaveSceneDialog, WantedFileDialog } from "../files/FileDial
 import { Gallery } from "../files/Gallery";
 import { OverwriteQuestion, RenameDialog, UnsavedQuestion } from "../files/Questions";
 import { Recent } from "../files/Recent";
+import { HelpDialog } from "../help/HelpDialog";
 import { Outliner } from "../outliner/Outliner";
 import { PropertyPanel } from "../panel/PropertyPanel";
+import { watchAttention } from "../help/places";
 import { bottomHeight, bottomOpen, leftOpen, leftTab, leftWidth, rightOpen, rightWidth } from "../state/settings";
 import { listenToShortcuts } from "../state/shortcuts";
 import { BackgroundDialog } from "../files/BackgroundDialog";
 import { LightsDialog } from "../files/LightsDialog";
-import { connection, dialog, isFresh, opening, pictureAlone, studio, tourStep } from "../state/store";
+import { connection, dialog, helpAt, isFresh, opening, pictureAlone, studio, tourStep } from "../state/store";
 import { texts } from "../texts";
 import { Splitter } from "../ui/Splitter";
 import { Tabs } from "../ui/Tabs";
@@ -38,9 +40,9 @@ function LeftPane() {
         label={t.label}
         chosen={leftTab}
         tabs={[
-          { id: "scene", label: t.scene, render: () => <Outliner /> },
-          { id: "gallery", label: t.gallery, render: () => <Gallery /> },
-          { id: "files", label: t.files, render: () => <Recent /> },
+          { id: "scene", label: t.scene, help: "studio#things", render: () => <Outliner /> },
+          { id: "gallery", label: t.gallery, help: "studio#start", render: () => <Gallery /> },
+          { id: "files", label: t.files, help: "studio#save", render: () => <Recent /> },
         ]}
       />
       <Splitter label={texts.panes.left} size={leftWidth} grows="right" minimum={180} maximum={() => innerWidth * 0.4} />
@@ -70,6 +72,7 @@ function BottomPane() {
 export function App() {
   // From the first frame on: nobody waits for the second to press a key.
   useLayoutEffect(listenToShortcuts, []);
+  useLayoutEffect(watchAttention, []);
   if (connection.value === "refused" && !studio.value) return <NoEntry />;
   const Shown = dialog.value && dialogs[dialog.value];
   // A fresh Studio asks what to do, and nothing else; but the tour needs something to point at.
@@ -95,6 +98,7 @@ export function App() {
       <WantedFileDialog />
       <UnsavedQuestion />
       <OverwriteQuestion />
+      {helpAt.value && <HelpDialog />}
       <Tour />
       <Tooltip />
       <DropTarget />

@@ -10,6 +10,8 @@ export interface DockTab {
   order: number;
   component: ComponentType;
   badge?: () => number | undefined;
+  /** The help's page about it. */
+  help: string;
 }
 
 const tabs = Object.values(import.meta.glob<DockTab>("../*/*Tab.tsx", { eager: true, import: "tab" })).sort((a, b) => a.order - b.order);
@@ -21,7 +23,7 @@ export function Dock() {
     <Tabs
       label={texts.dock.label}
       chosen={bottomTab}
-      tabs={tabs.map(({ id, component: Component, badge }) => ({ id, label: titles[id] ?? id, badge: badge?.(), render: () => <Component /> }))}
+      tabs={tabs.map(({ id, component: Component, badge, help }) => ({ id, label: titles[id] ?? id, badge: badge?.(), help, render: () => <Component /> }))}
     />
   );
 }

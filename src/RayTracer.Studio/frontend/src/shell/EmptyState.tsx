@@ -8,7 +8,7 @@ import { Button } from "../ui/Button";
 export function EmptyState() {
   const t = texts.empty;
   return (
-    <section class="empty" aria-label={t.title}>
+    <section class="empty" aria-label={t.title} data-help="studio#start">
       <div class="empty-head">
         <div>
           <h2>{t.title}</h2>

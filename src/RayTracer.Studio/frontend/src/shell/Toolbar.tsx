@@ -10,7 +10,8 @@ import { spaced } from "../panel/types";
 
 const t = texts.toolbar;
 const fileItems: CommandId[] = ["new", "open", "gallery", "save", "saveAs", "export", "background", "lights", "copyImage", "copyCommand", "bundle"];
-const moreItems: CommandId[] = ["duplicate", "delete", "rename", "deselect", "filter", "home", "alone", "theme", "shortcuts", "tour"];
+const moreItems: CommandId[] = ["duplicate", "delete", "rename", "deselect", "filter", "home", "alone", "theme"];
+const helpItems: CommandId[] = ["help", "lessons", "shortcuts", "tour"];
 
 function addItems(): MenuItem[] {
   const all = Object.values(schema.value?.types ?? {}).flat();
@@ -58,6 +59,7 @@ export function Toolbar() {
         <Button {...commandButton("showDock")} pressed={bottomOpen.value} />
         <Button {...commandButton("showPanel")} pressed={rightOpen.value} />
         <Menu label={t.more} icon="more" showLabel={false} items={moreItems.map(commandItem)} />
+        <Menu label={texts.groups.help} icon="help" showLabel={false} items={helpItems.map(commandItem)} />
       </div>
      </div>
     </header>

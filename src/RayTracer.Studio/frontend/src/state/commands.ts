@@ -13,9 +13,10 @@ import { cameraHome, frame, keepView, lookAlong, setCamera } from "../viewport/c
 import { actualSize, fit, zoomBy } from "../viewport/stage";
 import { askForName, duplicate, isSeen, remove, select, withSelection } from "./edits";
 import { stepFrame, togglePlay } from "../timeline/frames";
+import { placeOfAttention } from "../help/places";
 import { attempt } from "./messages";
 import { bottomOpen, bottomTab, leftOpen, leftTab, rightOpen, theme, type Theme } from "./settings";
-import { backgroundKind, compared, dialog, documentState, renderState, pictureAlone, isOwnView, selection, time, tool, tourStep, type Tool } from "./store";
+import { backgroundKind, compared, dialog, documentState, helpAt, renderState, pictureAlone, isOwnView, selection, time, tool, tourStep, type Tool } from "./store";
 
 export type CommandId = keyof typeof texts.commands;
 export type Group = keyof typeof texts.groups;
@@ -113,6 +114,8 @@ const actions: Record<CommandId, Pick<Command, "run" | "enabled">> = {
   inside: { run: () => showDock("paths") },
   alone: { run: toggle(pictureAlone) },
   theme: { run: nextTheme },
+  help: { run: () => (helpAt.value = placeOfAttention()) },
+  lessons: { run: () => (helpAt.value = { page: "primer/README" }) },
   shortcuts: { run: () => (dialog.value = "shortcuts") },
   tour: { run: () => (tourStep.value = 0) },
 };

@@ -69,6 +69,8 @@ export const pictureAlone = signal(false);
 
 export type Dialog = "open" | "saveAs" | "export" | "background" | "lights" | "rename" | "shortcuts";
 export const dialog = signal<Dialog | null>(null);
+/** The page of the help that is open above all else, with the anchor of a section. */
+export const helpAt = signal<{ page: string; section?: string | undefined } | null>(null);
 /** What the dialog of renders to files begins with. */
 export const backgroundKind = signal<"part" | "frames" | "merge">("part");
 export const tourStep = signal<number | null>(null);

@@ -65,4 +65,4 @@ function Timeline() {
   );
 }
 
-export const tab: DockTab = { id: "timeline", order: 1.5, component: Timeline };
+export const tab: DockTab = { id: "timeline", order: 1.5, help: "studio#time", component: Timeline };

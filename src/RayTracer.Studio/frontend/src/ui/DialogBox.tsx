@@ -9,10 +9,14 @@ interface DialogBoxProps {
   children: ComponentChildren;
   buttons?: ComponentChildren;
   wide?: boolean;
+  /** As wide and high as the window allows. */
+  full?: boolean;
+  /** The help's page about it. */
+  help?: string;
 }
 
 /** A modal dialog; Escape and the close button end it. */
-export function DialogBox({ title, onClose, children, buttons, wide }: DialogBoxProps) {
+export function DialogBox({ title, onClose, children, buttons, wide, full, help }: DialogBoxProps) {
   const ref = useRef<HTMLDialogElement>(null);
   // A layout effect, so that no key goes past the dialog, and the focus is back before the next one.
   useLayoutEffect(() => {
@@ -31,7 +35,7 @@ export function DialogBox({ title, onClose, children, buttons, wide }: DialogBox
   // Keys pressed in a dialog are no shortcuts of the window behind it.
   const onKeyDown = (e: KeyboardEvent) => e.stopPropagation();
   return (
-    <dialog ref={ref} class={wide ? "wide" : ""} aria-label={title} onCancel={onCancel} onKeyDown={onKeyDown}>
+    <dialog ref={ref} class={full ? "full" : wide ? "wide" : ""} data-help={help} aria-label={title} onCancel={onCancel} onKeyDown={onKeyDown}>
       <header>
         <h2>{title}</h2>
         <Button label={texts.dialogs.close} icon="close" onClick={onClose} />

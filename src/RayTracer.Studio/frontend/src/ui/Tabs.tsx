@@ -6,6 +6,8 @@ export interface Tab {
   label: string;
   render: () => ComponentChildren;
   badge?: number | undefined;
+  /** The help's page about it. */
+  help?: string | undefined;
 }
 
 interface TabsProps {
@@ -40,6 +42,7 @@ export function Tabs({ label, tabs, chosen, trailing }: TabsProps) {
               aria-selected={tab === current}
               aria-controls={`${name(tab.id)}-panel`}
               tabIndex={tab === current ? 0 : -1}
+              data-help={tab.help}
               onClick={() => (chosen.value = tab.id)}
             >
               {tab.label}
@@ -49,7 +52,7 @@ export function Tabs({ label, tabs, chosen, trailing }: TabsProps) {
         </div>
         {trailing}
       </div>
-      <div class="tab-panel" role="tabpanel" tabIndex={0} id={`${name(current.id)}-panel`} aria-labelledby={name(current.id)} key={current.id}>
+      <div class="tab-panel" role="tabpanel" data-help={current.help} tabIndex={0} id={`${name(current.id)}-panel`} aria-labelledby={name(current.id)} key={current.id}>
         {current.render()}
       </div>
     </div>

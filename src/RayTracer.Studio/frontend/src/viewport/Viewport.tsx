@@ -45,7 +45,7 @@ export function Viewport() {
 
   const isOld = documentState.value !== null && !documentState.value.isGood && documentState.value.diagnostics.length > 0;
   return (
-    <section class="viewport" aria-label={texts.viewport.label}>
+    <section class="viewport" aria-label={texts.viewport.label} data-help="studio#the-picture">
       {!pictureAlone.value && <ViewportBar />}
       <div ref={ref} class={`stage tool-${tool.value}`} role="application" aria-label={texts.viewport.canvas} tabIndex={0} onKeyDown={onKeyDown} onKeyUp={onKeyUp} onBlur={releaseKeys}>
         <PictureCanvas />
