@@ -30,7 +30,12 @@ internal sealed class GltfObjects(GltfDocument document, GltfMeshes meshes, Gltf
         return new InstanceDescription { Name = shape.Name, Of = shape };
     }
 
-    private ShapeDescription? Describe(int index)
+    /// <summary>A mesh that is bent.</summary>
+    /// <param name="mesh">Which mesh: an index that has been checked.</param>
+    /// <param name="deformation">What bends it.</param>
+    public ShapeDescription? Bent(int mesh, GltfDeformation deformation) => Describe(mesh, deformation);
+
+    private ShapeDescription? Describe(int index, GltfDeformation? deformation = null)
     {
         GltfObject mesh = document.List("meshes")[index];
         string name = mesh.Text("name") ?? "";
@@ -38,12 +43,10 @@ internal sealed class GltfObjects(GltfDocument document, GltfMeshes meshes, Gltf
         foreach (GltfObject primitive in mesh.Children("primitives"))
         {
             GltfMaterial material = materials.Describe(document.Reference(primitive, "material", "materials"));
-            if (meshes.Build(primitive, material.UvSet) is { } data)
+            if (meshes.Build(primitive, material.UvSet, deformation) is { } data)
             {
                 parts.Add(new MeshDescription { Name = name, Data = data, Material = material.Description });
             }
-
-            document.Notes.AddIf(primitive.Has("targets"), "morph targets are ignored: meshes are shown as they were modelled");
         }
 
         return parts.Count > 1 ? new GroupDescription { Name = name, Shapes = parts } : parts.FirstOrDefault();

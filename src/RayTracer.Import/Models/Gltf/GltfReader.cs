@@ -93,7 +93,7 @@ internal static class GltfExtensions
 
     /// <summary>All.</summary>
     public static FrozenSet<string> All { get; } =
-        FrozenSet.ToFrozenSet([.. Materials, "KHR_lights_punctual", "KHR_mesh_quantization", "KHR_texture_transform"]);
+        FrozenSet.ToFrozenSet([.. Materials, "EXT_mesh_gpu_instancing", "KHR_lights_punctual", "KHR_mesh_quantization", "KHR_texture_transform"]);
 
     /// <summary>Refuses a file that cannot be shown without an extension that is not understood.</summary>
     /// <exception cref="ModelException">There is one.</exception>
