@@ -388,7 +388,7 @@ internal sealed class SceneAssembler(SceneBuilder builder)
             }
         }
 
-        SceneDescription scene = ModelPlayback.Of(model, imported, builder) ?? imported.Scene;
+        SceneDescription scene = ModelPlayback.Of(model, imported, builder);
         using (builder.Within(model, nameof(ModelDescription.File)))
         using (builder.InheritNothing(builder.ReplacementBy(model.Material)))
         {

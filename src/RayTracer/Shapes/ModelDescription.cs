@@ -14,6 +14,10 @@ public sealed record ModelDescription : ShapeDescription
     [Parameter("How an animation in the file is played; without it, the file's first one from the scene's time 0.")]
     public PlaybackDescription Playback { get; init; } = new();
 
+    /// <summary>The look of its materials, by its name in the file; empty for the file's own.</summary>
+    [Parameter("Which look its materials have, by the name of a variant in the file. Without it, the look that the file gives them first.")]
+    public string Variant { get; init; } = "";
+
     /// <inheritdoc/>
     public override SketchKinds SketchedAs => SketchKinds.Shape;
 

@@ -60,6 +60,9 @@ internal sealed class GltfAccessor
     /// <summary>The number of components of an element.</summary>
     public int Components { get; }
 
+    /// <summary>False where all elements are zeros, since there is nothing in the file for them.</summary>
+    public bool HasBytes => _view is not null || _sparse is not null;
+
     /// <summary>Reads the first numbers of every element, one element after the other.</summary>
     /// <param name="into">Takes the numbers: <see cref="Count"/> times <paramref name="taken"/>.</param>
     /// <param name="taken">The number of numbers read of each element, at most <see cref="Components"/>.</param>

@@ -30,17 +30,28 @@ internal sealed class GltfMeshes(GltfDocument document, GltfAccessors accessors)
             return null;
         }
 
+        GltfObject attributes = primitive.RequiredChild("attributes");
         if (primitive.Extension("KHR_draco_mesh_compression") is not null)
         {
-            document.Notes.Add("meshes compressed with KHR_draco_mesh_compression are read from their uncompressed copy");
+            NoteDraco(primitive, attributes);
         }
 
-        GltfObject attributes = primitive.RequiredChild("attributes");
         string key = Key(primitive, attributes, mode, uvSet);
         MeshData? whole = _whole.Remember(key, () => Build(primitive, attributes, mode, uvSet));
         return whole is null ? null
             : deformation is not null ? Compacted(deformation.Bend(whole, primitive, accessors))
             : _built.Remember(key, () => Compacted(whole));
+    }
+
+    // Without a copy, the accessors have no bytes, which would make all positions zeros.
+    private void NoteDraco(GltfObject primitive, GltfObject attributes)
+    {
+        if (accessors.Find(attributes, "POSITION") is { HasBytes: false })
+        {
+            throw primitive.Error("it is compressed with KHR_draco_mesh_compression, which is not read: export it without compression");
+        }
+
+        document.Notes.Add("meshes compressed with KHR_draco_mesh_compression are read from their uncompressed copy");
     }
 
     // Exporters let many primitives share one long list of vertices, of which each uses a few.

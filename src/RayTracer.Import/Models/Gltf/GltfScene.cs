@@ -38,14 +38,17 @@ internal sealed class GltfScene
     public static ImportedModel Import(GltfDocument document)
     {
         GltfScene scene = new(document);
-        SceneDescription atFirst = scene.At(new(0, 0, 0, time => time));
+        SceneDescription atFirst = scene.At(new(0, null, 0, 0, time => time));
         CameraDescription? camera = scene.Camera(out float? aspectRatio);
+        string[] variants = [.. document.Root.Extension("KHR_materials_variants")?.Children("variants").Select(v => v.Text("name") ?? "") ?? []];
+        document.Notes.AddIf(variants.Length > 0, $"of the variants of materials ({string.Join(", ", variants.Take(10).Select(Quotation.Of))}), \"variant\" chooses one; without it the file's own are shown");
         scene.NoteWhatIsLeftOut();
         return new(atFirst with { Objects = scene._objects.Shared, Render = GltfCameras.PictureSize(aspectRatio) }, document.Notes.All)
         {
             Camera = camera,
             Animations = [.. scene._clips.Select(c => c.Model)],
-            At = scene._clips.Count > 0 ? scene.At : null,
+            Variants = variants,
+            At = scene._clips.Count + variants.Length > 0 ? scene.At : null,
         };
     }
 
@@ -55,14 +58,14 @@ internal sealed class GltfScene
         GltfPose pose = new(_nodes, _clips.Count > 0 ? _clips[moment.Animation] : null, moment);
         return new()
         {
-            Shapes = [.. _nodes.Shown.SelectMany(n => Shapes(n, pose))],
+            Shapes = [.. _nodes.Shown.SelectMany(n => Shapes(n, pose, moment.Variant))],
             Lights = [.. _nodes.Shown.Select(n => Light(n, pose)).OfType<ShapeDescription>()],
         };
     }
 
     private int? MeshOf(int node) => _document.Reference(_document.List("nodes")[node], "mesh", "meshes");
 
-    private IEnumerable<ShapeDescription> Shapes(int index, GltfPose pose)
+    private IEnumerable<ShapeDescription> Shapes(int index, GltfPose pose, int? variant)
     {
         if (MeshOf(index) is not { } mesh)
         {
@@ -72,7 +75,7 @@ internal sealed class GltfScene
         GltfObject node = _document.List("nodes")[index];
         IReadOnlyList<Transform>? places = _instances.Of(node);
         GltfDeformation? deformation = Deformation(node, index, mesh, pose);
-        if ((deformation is null ? _objects.Place(mesh, _repeated.Contains(mesh) || places is { Count: > 1 }) : _objects.Bent(mesh, deformation)) is not { } shape)
+        if ((deformation is null ? _objects.Place(mesh, _repeated.Contains(mesh) || places is { Count: > 1 }, variant) : _objects.Bent(mesh, deformation, variant)) is not { } shape)
         {
             return [];
         }

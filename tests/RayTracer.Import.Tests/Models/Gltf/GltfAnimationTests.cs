@@ -60,7 +60,7 @@ public class GltfAnimationTests
         TestGltf file = TestGltf.Triangle();
         Animate(file, 0, "translation", "VEC3", [0, 10], [0, 0, 0, 20, 0, 0], "LINEAR");
         file.Add("nodes", """{ "mesh": 0, "translation": [0, 5, 0] }""");
-        SceneDescription scene = file.Import().At!(new(0, 1, 1.5, new PlaybackDescription { Start = 2, Speed = -1 }.AtLength(10)));
+        SceneDescription scene = file.Import().At!(new(0, null, 1, 1.5, new PlaybackDescription { Start = 2, Speed = -1 }.AtLength(10)));
         ShapeDescription moving = scene.Shapes[0];
         Assert.Equal((1f, 1.5f, 0), (moving.Motion[0].Time, moving.Motion[^1].Time, moving.Transform.Count));
         Assert.Equal([2, 1.5f, 1], ((int[])[0, 4, 8]).Select(i => moving.Motion[i].Transform.Single().Matrix[3]));
@@ -93,7 +93,7 @@ public class GltfAnimationTests
 
         File.WriteAllText(folder["scene.json"], File.ReadAllText(folder["scene.json"]).Replace("rise", "rose", StringComparison.Ordinal));
         Diagnostic error = Assert.Single(SceneLoader.Load(folder["scene.json"]).Diagnostics, d => d.Severity == Severity.Error);
-        Assert.Equal("there is no animation \"rose\" in \"model.gltf\": it has \"\", \"rise\" (did you mean \"rise\"?)", error.Message);
+        Assert.Equal("there is no animation \"rose\" in the file: it has \"\", \"rise\" (did you mean \"rise\"?)", error.Message);
         Assert.Equal((1, 82), (error.Line, error.Column));
     }
 
@@ -159,7 +159,7 @@ public class GltfAnimationTests
         Assert.Equal([new(0, 0, 5), new(2, 0, 5), new(2, 6, 5)], camera.Motion.Select(k => new Vector3(k.Transform[0].Matrix[3], k.Transform[0].Matrix[7], k.Transform[0].Matrix[11])));
         Assert.Equal((Vector3.Zero, -Vector3.UnitZ, 1f), (camera.Position, camera.LookAt, camera.Motion[0].Transform[0].Matrix[0]));
         Assert.Equal(new Vector3(2, 4, 5), ((PointLightDescription)Assert.Single(At(model, 3).Lights)).Position);
-        Assert.Equal(9, Assert.Single(model.At!(new(0, 0, 1, t => t)).Lights).Motion.Count);
+        Assert.Equal(9, Assert.Single(model.At!(new(0, null, 0, 1, t => t)).Lights).Motion.Count);
     }
 
     [Theory]
@@ -221,6 +221,26 @@ public class GltfAnimationTests
         Assert.Contains("instances need a TRANSLATION", file.Complaint(), StringComparison.Ordinal);
     }
 
+    [Fact]
+    public void What_is_compressed_is_refused_by_name_and_its_textures_are_noted_by_theirs()
+    {
+        TestGltf file = TestGltf.Triangle();
+        file.Add("accessors", """{ "componentType": 5126, "type": "VEC3", "count": 3 }""");
+        file.Json["meshes"]![0]!["primitives"]![0] = Json("""{ "attributes": { "POSITION": 2 }, "extensions": { "KHR_draco_mesh_compression": {} } }""");
+        Assert.Contains("meshes[0].primitives[0]: it is compressed with KHR_draco_mesh_compression, which is not read", file.Complaint(), StringComparison.Ordinal);
+        file = TestGltf.Triangle();
+        file.Json["buffers"] = Json("""[{ "byteLength": 99, "extensions": { "EXT_meshopt_compression": { "fallback": true } } }]""");
+        Assert.Contains("buffers[0]: it is compressed with EXT_meshopt_compression, which is not read", file.Complaint(), StringComparison.Ordinal);
+        foreach (string extension in (string[])["KHR_texture_basisu", "EXT_texture_webp"])
+        {
+            file = TestGltf.Triangle("""{ "pbrMetallicRoughness": { "baseColorTexture": { "index": 0 } } }""");
+            file.Add("textures", $$"""{ "extensions": { "{{extension}}": { "source": 0 } } }""");
+            Assert.Contains($"a texture without a PNG or JPEG picture is ignored: {extension} is not read", file.Import().Notes);
+            file.Json["extensionsRequired"] = Json($"[\"{extension}\"]");
+            Assert.Contains($"the file cannot be shown without \"{extension}\"", file.Complaint(), StringComparison.Ordinal);
+        }
+    }
+
     /// <summary>A triangle whose second corner follows a joint that turns, and whose third follows both; the animation is turned at 1 s.</summary>
     internal static TestGltf Skinned()
     {
@@ -251,7 +271,7 @@ public class GltfAnimationTests
             """);
     }
 
-    private static SceneDescription At(ImportedModel model, double time) => model.At!(new(0, time, time, t => t));
+    private static SceneDescription At(ImportedModel model, double time) => model.At!(new(0, null, time, time, t => t));
 
     private static Vector3[] Positions(SceneDescription scene) => ((MeshDescription)scene.Shapes[0]).Data!.Positions;
 
