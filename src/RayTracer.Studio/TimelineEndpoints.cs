@@ -12,7 +12,7 @@ internal static class TimelineEndpoints
     {
         Timeline timeline = session.Timeline;
         RouteGroupBuilder group = api.MapGroup("/timeline");
-        group.MapGet("", () => new TimelineRows(timeline.Rows));
+        group.MapGet("", async (CancellationToken cancellation) => new TimelineRows(await timeline.WholeRows(cancellation)));
         group.MapGet("/paths", (string? pointer) => timeline.Paths(pointer));
         group.MapPost("/frame", (FrameRequest r) => timeline.Show(r.Frame));
         group.MapPost("/play", (PlayRequest r) =>

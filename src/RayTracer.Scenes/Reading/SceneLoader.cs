@@ -120,12 +120,14 @@ public static class SceneLoader
         }
 
         Scene? scene = null;
+        IReadOnlyDictionary<(string File, string Animation), double> played = new Dictionary<(string, string), double>();
         if (!diagnostics.Exists(d => d is { Line: 0, Column: 0 } && d.Severity == Severity.Error))
         {
             SceneBudget budget = SceneBudget.Open ?? new();
             using IDisposable counted = budget.Begin();
             SceneBuilder builder = new(new PictureFolder(folder, readPicture ?? ImageFile.Read, budget).Load, models.Load, new VolumeFolder(folder).Load) { KeepsSources = keepsSources, Budget = budget };
             scene = builder.Build(description);
+            played = builder.Played;
             if (scene is not null && read.Description is not null)
             {
                 // Of a scene with errors it is not known.
@@ -137,7 +139,7 @@ public static class SceneLoader
         }
 
         bool isGood = !diagnostics.Exists(d => d.Severity == Severity.Error);
-        return new(isGood ? scene : null, read.Description is null ? null : description, Diagnostic.Sort(diagnostics));
+        return new(isGood ? scene : null, read.Description is null ? null : description, Diagnostic.Sort(diagnostics)) { Played = played };
     }
 
     private static SceneDescription Override(SceneDescription original, Func<SceneDescription, SceneDescription> overrides, SceneReadResult read)
@@ -165,7 +167,11 @@ public static class SceneLoader
 /// <param name="Scene">The scene, ready to be rendered; null where any diagnostic is an error.</param>
 /// <param name="Description">The scene's description; null where any diagnostic of reading it is an error.</param>
 /// <param name="Diagnostics">The faults, by position.</param>
-public sealed record SceneLoadResult(Scene? Scene, SceneDescription? Description, IReadOnlyList<Diagnostic> Diagnostics);
+public sealed record SceneLoadResult(Scene? Scene, SceneDescription? Description, IReadOnlyList<Diagnostic> Diagnostics)
+{
+    // The seconds of the animations of models that are played, by the file and the animation's name in the scene.
+    internal IReadOnlyDictionary<(string File, string Animation), double> Played { get; init; } = new Dictionary<(string, string), double>();
+}
 
 /// <summary>A format of scene files other than the native one; RayTracer.Import registers Mitsuba's.</summary>
 /// <param name="Extension">The extension, with its dot; upper and lower case are the same.</param>

@@ -32,6 +32,12 @@ internal static class FrameTimes
     /// <summary>Returns whether a key is at a frame: its time may be written with some digits only.</summary>
     public static bool IsAt(double time, int frame, double rate) => Math.Abs((time * rate) - frame) < 0.01;
 
-    private static bool HasMotion(JsonNode node) =>
-        node.Items.Any(HasMotion) || node.Members.Any(m => (m.Key == "motion" && m.Value is { Kind: JsonKind.Array, Items.Count: > 0 }) || HasMotion(m.Value));
+    /// <summary>Returns whether a part of a scene is a model, in whose file there may be an animation.</summary>
+    public static bool IsModel(JsonNode node) => node.Find("type") is { Kind: JsonKind.String, Text: "model" };
+
+    /// <summary>Returns whether there is a model anywhere in a part of a scene.</summary>
+    public static bool HasModel(JsonNode node) => IsModel(node) || node.Items.Any(HasModel) || node.Members.Any(m => HasModel(m.Value));
+
+    private static bool HasMotion(JsonNode node) => IsModel(node)
+        || node.Items.Any(HasMotion) || node.Members.Any(m => (m.Key == "motion" && m.Value is { Kind: JsonKind.Array, Items.Count: > 0 }) || HasMotion(m.Value));
 }

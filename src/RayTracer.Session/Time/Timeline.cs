@@ -10,7 +10,7 @@ public sealed class Timeline(SceneDocument document, PictureView view) : IDispos
 {
     private readonly Lock _lock = new();
     private Playback? _playback;
-    private (int Revision, IReadOnlyList<TimelineRow> Rows, double Rate) _known = (-1, [], 1);
+    private (int Revision, int Built, IReadOnlyList<TimelineRow> Rows, double Rate) _known = (-1, -1, [], 1);
 
     /// <summary>Raised when it begins or ends to play.</summary>
     public event Action? Changed;
@@ -23,7 +23,7 @@ public sealed class Timeline(SceneDocument document, PictureView view) : IDispos
     {
         get
         {
-            (_, IReadOnlyList<TimelineRow> rows, double rate) = Known();
+            (_, _, IReadOnlyList<TimelineRow> rows, double rate) = Known();
             int? frame = document.Frame;
             return new(frame, view.Shown?.Good.Frame, FramesOf(rows), rate, _lock.Read(() => _playback) is { IsOver: false }, VideoFile.Program is not null, [.. rows.Where(r => !r.IsMotion).Select(r => ValueOf(r, frame, rate))]);
         }
@@ -102,9 +102,21 @@ public sealed class Timeline(SceneDocument document, PictureView view) : IDispos
     public int EaseKeys(IReadOnlyList<KeyChoice> keys, Ease ease) => document.Change("ease", null, text =>
         keys.Where(k => k.Keys.EndsWith("/keys", StringComparison.Ordinal)).Aggregate(text, (t, k) => KeyList.Ease(t, k.Keys, k.Numbers.ToHashSet(), ease.ToString().ToLowerInvariant())));
 
+    /// <summary>All that changes with time, as soon as models are read whose animations it depends on.</summary>
+    /// <param name="cancellation">Ends the wait.</param>
+    public async Task<IReadOnlyList<TimelineRow>> WholeRows(CancellationToken cancellation = default)
+    {
+        if (document.Read.Root is { } root && FrameTimes.HasModel(root))
+        {
+            await document.WhenBuilt(cancellation).ConfigureAwait(false);
+        }
+
+        return Rows;
+    }
+
     /// <summary>The ways of the camera and of a thing in the picture that is shown.</summary>
     /// <param name="thing">The thing; null for none.</param>
-    public MotionPaths Paths(string? thing) => Known() is var (_, rows, rate) && view.Shown is { Camera.Projection.IsStraight: true } shown
+    public MotionPaths Paths(string? thing) => Known() is var (_, _, rows, rate) && view.Shown is { Camera.Projection.IsStraight: true } shown
         ? MotionPaths.Of(document.Read, CameraFrame.Of(shown), thing, FramesOf(rows), rate) : new([], [], 1);
 
     /// <inheritdoc/>
@@ -146,20 +158,22 @@ public sealed class Timeline(SceneDocument document, PictureView view) : IDispos
         return new(row.Pointer, value, frame is { } shown && row.Items.Any(k => FrameTimes.IsAt(k.Frame / rate, shown, rate)));
     }
 
-    private (int Revision, IReadOnlyList<TimelineRow> Rows, double Rate) Known()
+    private (int Revision, int Built, IReadOnlyList<TimelineRow> Rows, double Rate) Known()
     {
         try
         {
             (int revision, JsonNode root) = document.Readable;
+            DocumentContent built = document.Content;
             lock (_lock)
             {
-                return _known = _known.Revision == revision ? _known : (revision, TimelineRow.Of(root), FrameTimes.Rate(root));
+                return _known = (_known.Revision, _known.Built) == (revision, built.Revision) ? _known
+                    : (revision, built.Revision, TimelineRow.Of(root, built.Load.Played), FrameTimes.Rate(root));
             }
         }
         catch (SessionException)
         {
             // There is no text to be read yet.
-            return (-1, [], new RenderDescription().FramesPerSecond);
+            return (-1, -1, [], new RenderDescription().FramesPerSecond);
         }
     }
 }

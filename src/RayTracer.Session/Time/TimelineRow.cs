@@ -1,4 +1,6 @@
+using RayTracer.Description;
 using RayTracer.Scenes;
+using RayTracer.Shapes;
 
 namespace RayTracer.Session;
 
@@ -13,8 +15,10 @@ public sealed record TimelineRow(string Keys, string Label, string Pointer, stri
 {
     private const int ThingSteps = 2;
 
-    /// <summary>All that changes in a scene: tracks in their order, then motions.</summary>
-    public static IReadOnlyList<TimelineRow> Of(JsonNode root)
+    /// <summary>All that changes in a scene: tracks in their order, then motions and the animations of models.</summary>
+    /// <param name="root">The scene.</param>
+    /// <param name="played">The seconds of models' animations, by file and name.</param>
+    internal static IReadOnlyList<TimelineRow> Of(JsonNode root, IReadOnlyDictionary<(string File, string Animation), double> played)
     {
         double rate = FrameTimes.Rate(root);
         List<TimelineRow> rows = [];
@@ -28,12 +32,30 @@ public sealed record TimelineRow(string Keys, string Label, string Pointer, stri
             }
         }
 
-        AddMotions(rows, root, "", "", rate);
+        AddMotions(rows, root, "", "", rate, (pointer, name) => Playing(SceneValue.At(root, pointer), name, rate, played));
         return rows;
     }
 
-    private static void AddMotions(List<TimelineRow> rows, JsonNode node, string pointer, string name, double rate)
+    // From where it begins to where it is over for the first time; none where it is held.
+    private static TimelineRow? Playing(SceneValue? model, string name, double rate, IReadOnlyDictionary<(string File, string Animation), double> played)
     {
+        if (model?.Child("playback") is not { } written || written.Record() is not PlaybackDescription { Speed: not 0 } playback
+            || model.Node!.Find("file") is not { Kind: JsonKind.String } file || !played.TryGetValue((file.Text, playback.Animation), out double seconds))
+        {
+            return null;
+        }
+
+        IEnumerable<double> ends = ((double[])[0, seconds]).Select(time => double.Max(0, (time - playback.Start) / playback.Speed) * rate).Order();
+        return new(written.Pointer, $"{name}.playback", model.Pointer, model.Pointer, true, [.. ends.Select(frame => new TimelineKey(frame, "linear", null))]);
+    }
+
+    private static void AddMotions(List<TimelineRow> rows, JsonNode node, string pointer, string name, double rate, Func<string, string, TimelineRow?> playback)
+    {
+        if (FrameTimes.IsModel(node) && playback(pointer, name) is { } playing)
+        {
+            rows.Add(playing);
+        }
+
         if (node.Find("motion") is { Kind: JsonKind.Array, Items.Count: > 0 } motion)
         {
             rows.Add(new(JsonPointer.Append(pointer, "motion"), $"{name}.motion", pointer, pointer, true, Of(motion, rate)));
@@ -41,12 +63,12 @@ public sealed record TimelineRow(string Keys, string Label, string Pointer, stri
 
         for (int i = 0; i < node.Items.Count; i++)
         {
-            AddMotions(rows, node.Items[i], JsonPointer.Append(pointer, i), node.Items[i].Find("name") is { Kind: JsonKind.String } own ? own.Text : $"{name}[{i}]", rate);
+            AddMotions(rows, node.Items[i], JsonPointer.Append(pointer, i), node.Items[i].Find("name") is { Kind: JsonKind.String } own ? own.Text : $"{name}[{i}]", rate, playback);
         }
 
         foreach (JsonMember member in node.Members.Where(m => m.Key is not ("animation" or "motion")))
         {
-            AddMotions(rows, member.Value, JsonPointer.Append(pointer, member.Key), member.Value.Find("name") is { Kind: JsonKind.String } own ? own.Text : member.Key, rate);
+            AddMotions(rows, member.Value, JsonPointer.Append(pointer, member.Key), member.Value.Find("name") is { Kind: JsonKind.String } own ? own.Text : member.Key, rate, playback);
         }
     }
 

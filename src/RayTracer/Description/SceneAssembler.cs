@@ -388,11 +388,12 @@ internal sealed class SceneAssembler(SceneBuilder builder)
             }
         }
 
+        SceneDescription scene = ModelPlayback.Of(model, imported, builder);
         using (builder.Within(model, nameof(ModelDescription.File)))
         using (builder.InheritNothing(builder.ReplacementBy(model.Material)))
         {
             Motion still = Motion.Still(place);
-            foreach (ShapeDescription shape in imported.Scene.Shapes.Concat(imported.Scene.Lights))
+            foreach (ShapeDescription shape in scene.Shapes.Concat(scene.Lights))
             {
                 Add(shape, still, target);
             }

@@ -57,6 +57,9 @@ public sealed class SceneBuilder(
     /// </summary>
     public bool KeepsSources { get; init; }
 
+    /// <summary>The animations of models that are played, by the file and the animation's name in the scene, with the seconds that each takes.</summary>
+    internal Dictionary<(string File, string Animation), double> Played { get; } = [];
+
     /// <summary>The memory that the scene's files and instances may take.</summary>
     public SceneBudget Budget { get; init; } = new();
 

@@ -28,6 +28,24 @@ internal readonly record struct Quaternion64(double X, double Y, double Z, doubl
 
     public Quaternion64 Unit() => this * (1 / double.Sqrt(Dot(this)));
 
+    /// <summary>The rotation on the shorter way between two, at constant speed (Shoemake 1985).</summary>
+    /// <param name="from">The first, of length 1.</param>
+    /// <param name="to">The last, of length 1.</param>
+    /// <param name="t">0 for the first, 1 for the last.</param>
+    public static Quaternion64 Slerp(Quaternion64 from, Quaternion64 to, double t)
+    {
+        double cosine = from.Dot(to);
+        Quaternion64 rest = (to * (cosine < 0 ? -1 : 1)) + (from * -double.Abs(cosine));
+        double sine = double.Sqrt(rest.Dot(rest));
+        if (!(sine > 0))
+        {
+            return from;
+        }
+
+        LaneMath.SinCos((float)(LaneMath.Atan2((float)sine, (float)double.Abs(cosine)) * t), out float sin, out float cos);
+        return ((from * cos) + (rest * (sin / sine))).Unit();
+    }
+
     /// <summary>The rotation's matrix.</summary>
     public Transform ToRotation() => new(
         new(1 - (2 * ((Y * Y) + (Z * Z))), 2 * ((X * Y) - (Z * W)), 2 * ((X * Z) + (Y * W)), 0),

@@ -79,6 +79,31 @@ public sealed class TimelineTests
     }
 
     [Fact]
+    public async Task The_animation_of_a_model_is_played_and_has_a_row()
+    {
+        using TestSession test = new();
+        string data = Convert.ToBase64String(System.Runtime.InteropServices.MemoryMarshal.AsBytes<float>((float[])[0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 2, 0, 0, 0, 4, 0, 0]));
+        await File.WriteAllTextAsync(Path.Combine(test.Folder, "m.gltf"), $$"""
+            { "asset": { "version": "2.0" }, "nodes": [{ "mesh": 0 }], "meshes": [{ "primitives": [{ "attributes": { "POSITION": 0 } }] }],
+              "buffers": [{ "byteLength": 68, "uri": "data:;base64,{{data}}" }], "bufferViews": [{ "buffer": 0, "byteLength": 68 }],
+              "accessors": [{ "bufferView": 0, "componentType": 5126, "type": "VEC3", "count": 3 }, { "bufferView": 0, "byteOffset": 36, "componentType": 5126, "type": "SCALAR", "count": 2 },
+                { "bufferView": 0, "byteOffset": 44, "componentType": 5126, "type": "VEC3", "count": 2 }],
+              "animations": [{ "samplers": [{ "input": 1, "output": 2 }], "channels": [{ "sampler": 0, "target": { "node": 0, "path": "translation" } }] }] }
+            """);
+        await test.Open("""{ "render": { "framesPerSecond": 10, "width": 9, "height": 9, "samplesPerPixel": 1 }, "shapes": [{ "type": "model", "name": "m", "file": "m.gltf", "playback": { "speed": 2 } }], "background": 1 }""");
+        TimelineRow row = Assert.Single(await test.Session.Timeline.WholeRows());
+        Assert.Equal(("m.playback", "/shapes/0/playback", "/shapes/0"), (row.Label, row.Keys, row.Thing));
+        Assert.Equal([0, 10], row.Items.Select(k => k.Frame));
+        Assert.Equal(10, test.Session.Timeline.State.Frames);
+        test.Session.Timeline.Show(5);
+        ViewportScene shown = await Shown(test, 5);
+        Assert.Equal(2, shown.Scene.Surfaces().Single().Bounds.Minimum.X);
+        Assert.Throws<SessionException>(() => test.Session.Timeline.RemoveKeys([new(row.Keys, [0])]));
+        test.Session.Edits.Set("/shapes/0/playback/speed", JsonValue.Create(0));
+        Assert.Empty(await test.Session.Timeline.WholeRows());
+    }
+
+    [Fact]
     public async Task An_edit_of_an_animated_value_writes_a_key_at_the_frame_and_leaves_all_else()
     {
         using TestSession test = new();

@@ -60,6 +60,9 @@ internal sealed class GltfAccessor
     /// <summary>The number of components of an element.</summary>
     public int Components { get; }
 
+    /// <summary>False where all elements are zeros, since there is nothing in the file for them.</summary>
+    public bool HasBytes => _view is not null || _sparse is not null;
+
     /// <summary>Reads the first numbers of every element, one element after the other.</summary>
     /// <param name="into">Takes the numbers: <see cref="Count"/> times <paramref name="taken"/>.</param>
     /// <param name="taken">The number of numbers read of each element, at most <see cref="Components"/>.</param>
@@ -78,17 +81,18 @@ internal sealed class GltfAccessor
     }
 
     /// <summary>Reads whole numbers.</summary>
-    /// <param name="into">Takes the numbers: <see cref="Count"/>.</param>
+    /// <param name="into">Takes the numbers: <see cref="Count"/> times <see cref="Components"/>.</param>
     public void Read(Span<uint> into)
     {
-        for (int i = 0; _view is not null && i < Count; i++)
+        int size = GltfComponent.Size(Type);
+        for (int i = 0; i < Count * Components && _view is not null; i++)
         {
-            into[i] = GltfComponent.Whole(Type, _view.Bytes.Span[(_offset + (i * _stride))..]);
+            into[i] = GltfComponent.Whole(Type, _view.Bytes.Span[(_offset + (i / Components * _stride) + (i % Components * size))..]);
         }
 
-        for (int i = 0; i < (_sparse?.Count ?? 0); i++)
+        for (int i = 0; i < (_sparse?.Count ?? 0) * Components; i++)
         {
-            into[_sparse!.Element(i)] = GltfComponent.Whole(Type, _sparse.Value(i));
+            into[(_sparse!.Element(i / Components) * Components) + (i % Components)] = GltfComponent.Whole(Type, _sparse.Value(i / Components)[(i % Components * size)..]);
         }
     }
 

@@ -3,6 +3,7 @@ namespace RayTracer.Import;
 /// <summary>The buffers of a glTF file and the views of them, checked against the bytes that there really are.</summary>
 internal sealed class GltfBuffers(GltfDocument document, GltfFiles files)
 {
+    private static readonly string[] Compressions = ["EXT_meshopt_compression", "KHR_meshopt_compression"];
     private readonly Dictionary<int, ReadOnlyMemory<byte>> _buffers = [];
 
     /// <summary>The bytes of a buffer view.</summary>
@@ -34,6 +35,8 @@ internal sealed class GltfBuffers(GltfDocument document, GltfFiles files)
         int length = buffer.RequiredInteger("byteLength", 1);
         ReadOnlyMemory<byte> bytes = buffer.Text("uri") is { } uri ? files.Read(buffer, uri)
             : index == 0 && document.BinaryChunk is { } chunk ? chunk
+            : Compressions.FirstOrDefault(c => buffer.Extension(c) is not null) is { } compression
+            ? throw buffer.Error($"it is compressed with {compression}, which is not read: export it without compression")
             : throw buffer.Error("it has no \"uri\", and the file has no binary chunk for it");
         if (length > bytes.Length)
         {

@@ -1,3 +1,4 @@
+using System.Numerics;
 using RayTracer.Description;
 using RayTracer.Materials;
 using RayTracer.Numerics;
@@ -10,6 +11,9 @@ internal sealed class GltfMaterials(GltfDocument document, GltfTextures textures
 {
     // Below this roughness (α = 0.01), glass is shown clear.
     private const float ClearRoughness = 0.1f;
+
+    // 20 over Abbe's number, which is 20 to 90 of glass.
+    private const float MostDispersion = 20;
 
     private readonly Dictionary<int, GltfMaterial> _described = [];
     private readonly GltfMaterial _default = new(new DiffuseMaterialDescription { Color = new SolidTextureDescription { Color = new(0.8f, 0.8f, 0.8f) } }, 0, false);
@@ -49,7 +53,31 @@ internal sealed class GltfMaterials(GltfDocument document, GltfTextures textures
         }
 
         PrincipledMaterialDescription opaque = Opaque(material, surface);
-        return surface.Transmission is null || IsOne(surface.Metallic) ? opaque : Transparent(material, surface, opaque);
+        MaterialDescription diffusing = material.Extension("KHR_materials_diffuse_transmission") is { } passing ? Diffusing(passing, surface, opaque) : opaque;
+        return surface.Transmission is null || IsOne(surface.Metallic) ? diffusing : Transparent(material, surface, diffusing, opaque);
+    }
+
+    // What passes comes out evenly on the other side, and so weakens highlights, which the extension does not.
+    private MaterialDescription Diffusing(GltfObject passing, GltfSurface surface, PrincipledMaterialDescription opaque)
+    {
+        float factor = passing.Fraction("diffuseTransmissionFactor", 0);
+        if (factor == 0)
+        {
+            return opaque;
+        }
+
+        document.Notes.Add("KHR_materials_diffuse_transmission is approximated: highlights are weaker by what passes through");
+        return new MixMaterialDescription
+        {
+            First = opaque,
+            Second = new TranslucentMaterialDescription
+            {
+                Color = Number(0),
+                Transmittance = textures.Colour(
+                    passing.Color("diffuseTransmissionColorFactor", Rgb.White), GltfTextureUse.Of(document, passing, "diffuseTransmissionColorTexture"), surface.UvSet),
+            },
+            Weight = textures.Number(factor, GltfTextureUse.Of(document, passing, "diffuseTransmissionTexture"), GltfChannel.Alpha, surface.UvSet),
+        };
     }
 
     private PrincipledMaterialDescription Opaque(GltfObject material, GltfSurface surface)
@@ -77,13 +105,38 @@ internal sealed class GltfMaterials(GltfDocument document, GltfTextures textures
             };
         }
 
+        opaque = material.Extension("KHR_materials_anisotropy") is { } anisotropy ? Stretched(opaque, anisotropy) : opaque;
         return material.Extension("KHR_materials_sheen") is { } sheen ? WithSheen(opaque, sheen) : opaque;
+    }
+
+    // Along the tangent α grows from r² towards 1 with the strength's square. Here the two are r²/a and r²·a, with a² = 1 − 0.9 of what
+    // the material is given; so their product gives the roughness, and their ratio the rest.
+    private PrincipledMaterialDescription Stretched(PrincipledMaterialDescription opaque, GltfObject anisotropy)
+    {
+        float strength = anisotropy.Fraction("anisotropyStrength", 0);
+        document.Notes.AddIf(anisotropy.Has("anisotropyTexture"), "a texture of KHR_materials_anisotropy is ignored");
+        document.Notes.AddIf(anisotropy.Number("anisotropyRotation", 0) != 0, "the rotation of KHR_materials_anisotropy is ignored: highlights are stretched along the tangent");
+        if (opaque.Roughness is not SolidTextureDescription { Color.R: var roughness })
+        {
+            document.Notes.AddIf(strength > 0, "KHR_materials_anisotropy is approximated where the roughness has a texture");
+            return opaque with { Anisotropic = Number(strength) };
+        }
+
+        float across = float.Max(roughness * roughness, 1e-4f);
+        float along = across + ((1 - across) * strength * strength);
+        document.Notes.AddIf(across < 0.1f * along, "KHR_materials_anisotropy is limited: highlights are at most ten times as long as wide");
+        return opaque with
+        {
+            Roughness = strength > 0 ? Number(float.Sqrt(float.Sqrt(across * along))) : opaque.Roughness,
+            Anisotropic = Number(float.Min((1 - (across / along)) / 0.9f, 1)),
+        };
     }
 
     private PrincipledMaterialDescription WithSheen(PrincipledMaterialDescription opaque, GltfObject sheen)
     {
         Rgb color = sheen.Color("sheenColorFactor", Rgb.Black);
         document.Notes.AddIf(sheen.Has("sheenColorTexture") || sheen.Has("sheenRoughnessTexture"), "sheen textures are ignored");
+        document.Notes.AddIf(sheen.Has("sheenRoughnessFactor"), "the roughness of KHR_materials_sheen is ignored");
 
         float most = float.Max(color.R, float.Max(color.G, color.B));
         bool isGrey = float.Min(color.R, float.Min(color.G, color.B)) > 0.9f * most;
@@ -91,11 +144,16 @@ internal sealed class GltfMaterials(GltfDocument document, GltfTextures textures
     }
 
     // Walls without thickness let light straight through; volumes refract it.
-    private MaterialDescription Transparent(GltfObject material, GltfSurface surface, PrincipledMaterialDescription opaque)
+    private MaterialDescription Transparent(GltfObject material, GltfSurface surface, MaterialDescription rest, PrincipledMaterialDescription opaque)
     {
         GltfObject? volume = material.Extension("KHR_materials_volume");
+        float wanted = material.Extension("KHR_materials_dispersion")?.Number("dispersion", 0, 0) ?? 0;
+        float dispersion = float.Min(wanted, MostDispersion);
+        document.Notes.AddIf(wanted > dispersion, $"KHR_materials_dispersion is limited to {MostDispersion}");
         bool isThin = volume is null || volume.Number("thicknessFactor", 0, 0) == 0;
         bool isClear = surface.Roughness is SolidTextureDescription { Color.R: <= ClearRoughness };
+        document.Notes.AddIf(volume?.Has("thicknessTexture") ?? false, "a texture of thickness is ignored: light takes the way that the shape gives it");
+        document.Notes.AddIf(dispersion > 0 && (isThin || !isClear), "KHR_materials_dispersion is ignored but in clear volumes");
         if (!isThin && !isClear)
         {
             document.Notes.AddIf(volume!.Has("attenuationDistance"), "absorption in the volume of rough glass is ignored");
@@ -107,13 +165,13 @@ internal sealed class GltfMaterials(GltfDocument document, GltfTextures textures
 
         MaterialDescription glass = isThin
             ? new ThinDielectricMaterialDescription { RefractiveIndex = surface.RefractiveIndex, SpecularTransmittance = surface.Color }
-            : Glass(surface, volume!);
+            : Glass(surface, volume!, dispersion);
         return IsOne(surface.Transmission!) && surface.Metallic is SolidTextureDescription { Color.R: 0 }
             ? glass
-            : new MixMaterialDescription { First = opaque, Second = glass, Weight = surface.Transmission! };
+            : new MixMaterialDescription { First = rest, Second = glass, Weight = surface.Transmission! };
     }
 
-    private DielectricMaterialDescription Glass(GltfSurface surface, GltfObject volume)
+    private DielectricMaterialDescription Glass(GltfSurface surface, GltfObject volume, float dispersion)
     {
         if (surface.Color is not SolidTextureDescription { Color: var color } || color != Rgb.White)
         {
@@ -122,7 +180,20 @@ internal sealed class GltfMaterials(GltfDocument document, GltfTextures textures
 
         float distance = volume.Number("attenuationDistance", float.PositiveInfinity, float.Epsilon);
         Rgb left = volume.Color("attenuationColor", Rgb.White);
-        return new() { RefractiveIndex = surface.RefractiveIndex, Extinction = new(Extinction(left.R, distance), Extinction(left.G, distance), Extinction(left.B, distance)) };
+        DielectricMaterialDescription glass = new() { Extinction = new(Extinction(left.R, distance), Extinction(left.G, distance), Extinction(left.B, distance)) };
+        return dispersion > 0 && surface.RefractiveIndex > 1
+            ? glass with { Cauchy = Cauchy(surface.RefractiveIndex, dispersion) }
+            : glass with { RefractiveIndex = surface.RefractiveIndex };
+    }
+
+    // Of n at Fraunhofer's line d and 20 over Abbe's number (n − 1)/(n at F − n at C): n = A + B/λ², with the wavelengths of the lines in µm.
+    private static Vector2 Cauchy(float index, float dispersion)
+    {
+        const double d = 0.5875618;
+        const double f = 0.4861327;
+        const double c = 0.6562725;
+        double b = (index - 1) * dispersion / 20 / ((1 / (f * f)) - (1 / (c * c)));
+        return new((float)(index - (b / (d * d))), (float)b);
     }
 
     private MaterialDescription Embossed(GltfObject material, GltfSurface surface, MaterialDescription inner)

@@ -7,20 +7,21 @@ using RayTracer.Shapes;
 namespace RayTracer.Import;
 
 /// <summary>Makes triangles of a glTF file's primitives; primitives that are alike share them.</summary>
-internal sealed class GltfMeshes(GltfDocument document, GltfBuffers buffers)
+internal sealed class GltfMeshes(GltfDocument document, GltfAccessors accessors)
 {
     // What one triangle takes besides its three indices: its share of the tree over the mesh, roughly.
     private const int TriangleBytes = 12;
 
-    private readonly Dictionary<string, MeshData?> _built = new(StringComparer.Ordinal);
-    private readonly Dictionary<int, GltfAccessor> _accessors = [];
+    private readonly Dictionary<string, MeshData> _built = new(StringComparer.Ordinal);
+    private readonly Dictionary<string, MeshData?> _whole = new(StringComparer.Ordinal);
     private readonly Dictionary<(int Accessor, Type Element), Array> _vertices = [];
 
     /// <summary>The triangles of a primitive; null where it has none: points and lines are left out.</summary>
     /// <param name="primitive">The primitive in the file.</param>
     /// <param name="uvSet">Which set of uv its material uses.</param>
+    /// <param name="deformation">What bends it; null for nothing.</param>
     /// <exception cref="ModelException">It refers to what is not there.</exception>
-    public MeshData? Build(GltfObject primitive, int uvSet)
+    public MeshData? Build(GltfObject primitive, int uvSet, GltfDeformation? deformation = null)
     {
         int mode = primitive.Integer("mode", 0, TriangleAssembly.Fan) ?? TriangleAssembly.Triangles;
         if (mode < TriangleAssembly.Triangles)
@@ -29,15 +30,32 @@ internal sealed class GltfMeshes(GltfDocument document, GltfBuffers buffers)
             return null;
         }
 
+        GltfObject attributes = primitive.RequiredChild("attributes");
         if (primitive.Extension("KHR_draco_mesh_compression") is not null)
         {
-            document.Notes.Add("meshes compressed with KHR_draco_mesh_compression are read from their uncompressed copy");
+            NoteDraco(primitive, attributes);
         }
 
-        GltfObject attributes = primitive.RequiredChild("attributes");
         string key = Key(primitive, attributes, mode, uvSet);
-        return _built.Remember(key, () => Build(primitive, attributes, mode, uvSet));
+        MeshData? whole = _whole.Remember(key, () => Build(primitive, attributes, mode, uvSet));
+        return whole is null ? null
+            : deformation is not null ? Compacted(deformation.Bend(whole, primitive, accessors))
+            : _built.Remember(key, () => Compacted(whole));
     }
+
+    // Without a copy, the accessors have no bytes, which would make all positions zeros.
+    private void NoteDraco(GltfObject primitive, GltfObject attributes)
+    {
+        if (accessors.Find(attributes, "POSITION") is { HasBytes: false })
+        {
+            throw primitive.Error("it is compressed with KHR_draco_mesh_compression, which is not read: export it without compression");
+        }
+
+        document.Notes.Add("meshes compressed with KHR_draco_mesh_compression are read from their uncompressed copy");
+    }
+
+    // Exporters let many primitives share one long list of vertices, of which each uses a few.
+    private static MeshData Compacted(MeshData whole) => whole.Indices.Length < whole.Positions.Length / 2 ? MeshCompaction.Compact(whole) : whole;
 
     private string Key(GltfObject primitive, GltfObject attributes, int mode, int uvSet)
     {
@@ -62,16 +80,13 @@ internal sealed class GltfMeshes(GltfDocument document, GltfBuffers buffers)
             return null;
         }
 
-        MeshData whole = new(positions, indices)
+        return new(positions, indices)
         {
             Normals = Vertices<Vector3>(attributes, "NORMAL", positions.Length),
             Tangents = Vertices<Vector4>(attributes, "TANGENT", positions.Length),
             Colors = Vertices<Rgb>(attributes, "COLOR_0", positions.Length),
             Uv = Vertices<Vector2>(attributes, $"TEXCOORD_{uvSet}", positions.Length),
         };
-
-        // Exporters let many primitives share one long list of vertices, of which each uses a few.
-        return indices.Length < positions.Length / 2 ? MeshCompaction.Compact(whole) : whole;
     }
 
     // One array for each accessor and kind of element, so that primitives share it.
@@ -83,7 +98,7 @@ internal sealed class GltfMeshes(GltfDocument document, GltfBuffers buffers)
             return null;
         }
 
-        GltfAccessor accessor = Accessor(index);
+        GltfAccessor accessor = accessors.Find(attributes, name)!;
         if (accessor.Count != (expected ?? accessor.Count))
         {
             throw attributes.Error(name, $"it has {accessor.Count} elements, but there are {expected} positions");
@@ -100,7 +115,7 @@ internal sealed class GltfMeshes(GltfDocument document, GltfBuffers buffers)
             throw attributes.Error(name, $"its accessor has {accessor.Components} numbers an element: {taken} are needed");
         }
 
-        T[] elements = new T[Ask(accessor, (long)accessor.Count * taken * sizeof(float))];
+        T[] elements = new T[accessors.Ask(accessor, (long)accessor.Count * taken * sizeof(float))];
         accessor.Read(MemoryMarshal.Cast<T, float>(elements.AsSpan()), taken);
         if (elements is Vector2[] uv)
         {
@@ -117,7 +132,7 @@ internal sealed class GltfMeshes(GltfDocument document, GltfBuffers buffers)
 
     private int[] Indices(GltfObject primitive, int mode, int vertexCount)
     {
-        GltfAccessor? accessor = document.Reference(primitive, "indices", "accessors") is { } index ? Accessor(index) : null;
+        GltfAccessor? accessor = accessors.Find(primitive, "indices");
         uint[]? list = accessor is null ? null : Listed(primitive, accessor, vertexCount);
         int count = list?.Length ?? vertexCount;
         if (mode == TriangleAssembly.Triangles && count % 3 != 0)
@@ -126,7 +141,7 @@ internal sealed class GltfMeshes(GltfDocument document, GltfBuffers buffers)
         }
 
         int triangles = TriangleAssembly.Count(mode, count);
-        Ask(accessor, (long)triangles * (3 * sizeof(int) + TriangleBytes), primitive);
+        accessors.Ask(accessor?.Object ?? primitive, (long)triangles * ((3 * sizeof(int)) + TriangleBytes));
         int[] indices = new int[3 * triangles];
         for (int t = 0; t < triangles; t++)
         {
@@ -139,41 +154,10 @@ internal sealed class GltfMeshes(GltfDocument document, GltfBuffers buffers)
         return indices;
     }
 
-    private uint[] Listed(GltfObject primitive, GltfAccessor accessor, int vertexCount)
-    {
-        if (accessor.Components != 1 || accessor.Type is not (GltfComponentType.UnsignedByte or GltfComponentType.UnsignedShort or GltfComponentType.UnsignedInt))
-        {
-            throw primitive.Error("indices", $"{accessor.Object.Path} must be a SCALAR of unsigned whole numbers (5121, 5123 or 5125)");
-        }
-
-        uint[] list = new uint[Ask(accessor, (long)accessor.Count * sizeof(uint))];
-        accessor.Read(list);
-        for (int i = 0; i < list.Length; i++)
-        {
-            if (list[i] >= vertexCount)
-            {
-                throw primitive.Error("indices", $"{accessor.Place(i)} of {accessor.Object.Path} is {list[i]}, but there are only {vertexCount} vertices");
-            }
-        }
-
-        return list;
-    }
-
-    private GltfAccessor Accessor(int index) => _accessors.Remember(index, () => new(document, buffers, index));
-
-    private int Ask(GltfAccessor accessor, long bytes)
-    {
-        Ask(accessor, bytes, accessor.Object);
-        return accessor.Count;
-    }
-
-    private void Ask(GltfAccessor? accessor, long bytes, GltfObject about)
-    {
-        if (!document.Memory.TryUse(bytes))
-        {
-            throw (accessor?.Object ?? about).Error("the meshes need far more memory than a file of this size can account for");
-        }
-    }
+    private uint[] Listed(GltfObject primitive, GltfAccessor accessor, int vertexCount) =>
+        accessor.Components == 1 && accessor.Type is (GltfComponentType.UnsignedByte or GltfComponentType.UnsignedShort or GltfComponentType.UnsignedInt)
+            ? accessors.Whole(accessor, primitive, "indices", vertexCount, "vertices")
+            : throw primitive.Error("indices", $"{accessor.Object.Path} must be a SCALAR of unsigned whole numbers (5121, 5123 or 5125)");
 }
 
 /// <summary>The assembly of a primitive's vertices into triangles (glTF 2.0, section 3.7.2.1, "mode").</summary>

@@ -45,18 +45,15 @@ internal sealed class GltfObject(GltfSource source, JsonNode node, string path)
         node.Find(key) is { } value ? Number(key, value, minimum, maximum) : throw Missing(key);
 
     /// <summary>A list of so many numbers; null where there is none.</summary>
-    public float[]? Numbers(string key, int count, float minimum = float.MinValue, float maximum = float.MaxValue)
+    public float[]? Numbers(string key, int count)
     {
-        if (!Has(key))
-        {
-            return null;
-        }
-
-        IReadOnlyList<JsonNode> items = Elements(key);
-        return items.Count == count
-            ? [.. items.Select((item, i) => Number($"{key}[{i}]", item, minimum, maximum))]
-            : throw Error(key, $"expected {count} numbers, but found {items.Count}");
+        float[]? numbers = Numbers(key);
+        return numbers is null || numbers.Length == count ? numbers : throw Error(key, $"expected {count} numbers, but found {numbers.Length}");
     }
+
+    /// <summary>A list of numbers; null where there is none.</summary>
+    public float[]? Numbers(string key) =>
+        Has(key) ? [.. Elements(key).Select((item, i) => Number($"{key}[{i}]", item, float.MinValue, float.MaxValue))] : null;
 
     /// <summary>A fraction; beyond 0 and 1 it is cut off.</summary>
     public float Fraction(string key, float fallback) => float.Clamp(Number(key, fallback), 0, 1);

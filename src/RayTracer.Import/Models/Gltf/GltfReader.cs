@@ -87,13 +87,14 @@ internal static class GltfExtensions
     /// <summary>Those of materials.</summary>
     public static FrozenSet<string> Materials { get; } = FrozenSet.ToFrozenSet(
     [
-        "KHR_materials_clearcoat", "KHR_materials_emissive_strength", "KHR_materials_ior", "KHR_materials_pbrSpecularGlossiness",
-        "KHR_materials_sheen", "KHR_materials_specular", "KHR_materials_transmission", "KHR_materials_unlit", "KHR_materials_volume",
+        "KHR_materials_anisotropy", "KHR_materials_clearcoat", "KHR_materials_diffuse_transmission", "KHR_materials_dispersion",
+        "KHR_materials_emissive_strength", "KHR_materials_ior", "KHR_materials_pbrSpecularGlossiness", "KHR_materials_sheen",
+        "KHR_materials_specular", "KHR_materials_transmission", "KHR_materials_unlit", "KHR_materials_volume",
     ]);
 
     /// <summary>All.</summary>
     public static FrozenSet<string> All { get; } =
-        FrozenSet.ToFrozenSet([.. Materials, "KHR_lights_punctual", "KHR_mesh_quantization", "KHR_texture_transform"]);
+        FrozenSet.ToFrozenSet([.. Materials, "EXT_mesh_gpu_instancing", "KHR_lights_punctual", "KHR_materials_variants", "KHR_mesh_quantization", "KHR_texture_transform"]);
 
     /// <summary>Refuses a file that cannot be shown without an extension that is not understood.</summary>
     /// <exception cref="ModelException">There is one.</exception>

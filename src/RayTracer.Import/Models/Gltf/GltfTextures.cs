@@ -98,7 +98,8 @@ internal sealed class GltfTextures(GltfDocument document, GltfImages images)
     {
         GltfObject described = document.List("textures")[texture];
         int? source = document.Reference(described, "source", "images");
-        document.Notes.AddIf(source is null, "a texture without a PNG or JPEG picture is ignored");
+        string[] others = [.. described.Child("extensions")?.Node.Members.Select(m => m.Key) ?? []];
+        document.Notes.AddIf(source is null, $"a texture without a PNG or JPEG picture is ignored{(others.Length > 0 ? $": {string.Join(", ", others)} is not read" : "")}");
 
         return source;
     }

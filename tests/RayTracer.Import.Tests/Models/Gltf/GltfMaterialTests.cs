@@ -158,8 +158,68 @@ public class GltfMaterialTests
     [InlineData("""{ "extensions": { "KHR_materials_iridescence": {} } }""", "\"KHR_materials_iridescence\"")]
     [InlineData("""{ "extensions": { "KHR_materials_specular": { "specularColorFactor": [1, 0.5, 0.5] } } }""", "colour of a dielectric's reflection")]
     [InlineData("""{ "pbrMetallicRoughness": { "metallicFactor": 0 }, "extensions": { "KHR_materials_transmission": { "transmissionFactor": 1 } } }""", "rough transparent wall")]
+    [InlineData("""{ "extensions": { "KHR_materials_anisotropy": { "anisotropyRotation": 1 } } }""", "rotation of KHR_materials_anisotropy")]
+    [InlineData("""{ "extensions": { "KHR_materials_anisotropy": { "anisotropyStrength": 1 } }, "pbrMetallicRoughness": { "roughnessFactor": 0.2 } }""", "KHR_materials_anisotropy is limited")]
+    [InlineData("""{ "extensions": { "KHR_materials_sheen": { "sheenRoughnessFactor": 0.3 } } }""", "roughness of KHR_materials_sheen")]
+    [InlineData("""{ "extensions": { "KHR_materials_diffuse_transmission": { "diffuseTransmissionFactor": 0.3 } } }""", "KHR_materials_diffuse_transmission is approximated")]
     public void What_there_is_nothing_like_is_said(string material, string note) =>
         Assert.Contains(TestGltf.Triangle(material).Import().Notes, n => n.Contains(note, StringComparison.Ordinal));
+
+    [Theory]
+    [InlineData(0.5f, 0.6f)]
+    [InlineData(0.8f, 1)]
+    [InlineData(1, 0)]
+    public void Anisotropy_gives_the_widths_of_the_highlight_that_the_file_says(float roughness, float strength)
+    {
+        PrincipledMaterialDescription surface = Principled($$"""
+            { "extensions": { "KHR_materials_anisotropy": { "anisotropyStrength": {{TestGltf.Text([strength])}} } }, "pbrMetallicRoughness": { "roughnessFactor": {{TestGltf.Text([roughness])}} } }
+            """);
+        double aspect = Math.Sqrt(1 - (0.9 * Value(surface.Anisotropic)));
+        double alpha = Value(surface.Roughness) * (double)Value(surface.Roughness);
+        double across = roughness * (double)roughness;
+        Assert.Equal(across + ((1 - across) * strength * strength), alpha / aspect, 1e-5);
+        Assert.Equal(across, alpha * aspect, 1e-5);
+    }
+
+    [Fact]
+    public void Dispersion_spreads_the_index_by_abbes_number()
+    {
+        var glass = Assert.IsType<DielectricMaterialDescription>(Material(Glass(0, 1, "\"thicknessFactor\": 1").Replace("\"KHR_materials_ior\"", "\"KHR_materials_dispersion\": { \"dispersion\": 0.4 }, \"KHR_materials_ior\"", StringComparison.Ordinal)));
+        double At(double line) => glass.Cauchy!.Value.X + (glass.Cauchy.Value.Y / (line * line));
+        Assert.Equal(1.7, At(0.5875618), 1e-6);
+        Assert.Equal(20 / 0.4, (At(0.5875618) - 1) / (At(0.4861327) - At(0.6562725)), 1e-3);
+        Assert.Empty(Built(glass));
+    }
+
+    [Fact]
+    public void What_passes_diffusely_is_mixed_in()
+    {
+        var mix = Assert.IsType<MixMaterialDescription>(Material("""
+            { "extensions": { "KHR_materials_diffuse_transmission": { "diffuseTransmissionFactor": 0.3, "diffuseTransmissionColorFactor": [1, 0.5, 0] } } }
+            """));
+        var leaf = Assert.IsType<TranslucentMaterialDescription>(mix.Second);
+        Assert.Equal((0.3f, new Rgb(1, 0.5f, 0), Rgb.Black), (Value(mix.Weight), Solid(leaf.Transmittance), Solid(leaf.Color)));
+        Assert.IsType<PrincipledMaterialDescription>(mix.First);
+    }
+
+    [Fact]
+    public void A_variant_replaces_the_materials_that_it_maps()
+    {
+        TestGltf file = TestGltf.Triangle("""{ "extensions": { "KHR_materials_unlit": {} }, "pbrMetallicRoughness": { "baseColorFactor": [1, 0, 0, 1] } }""");
+        file.Add("materials", """{ "extensions": { "KHR_materials_unlit": {} }, "pbrMetallicRoughness": { "baseColorFactor": [0, 1, 0, 1] } }""");
+        file.Json["extensions"] = System.Text.Json.Nodes.JsonNode.Parse("""{ "KHR_materials_variants": { "variants": [{ "name": "beach" }, { "name": "street" }] } }""");
+        file.Json["extensionsRequired"] = System.Text.Json.Nodes.JsonNode.Parse("""["KHR_materials_variants"]""");
+        file.Json["meshes"]![0]!["primitives"]![0]!["extensions"] = System.Text.Json.Nodes.JsonNode.Parse("""{ "KHR_materials_variants": { "mappings": [{ "material": 1, "variants": [1] }] } }""");
+        ImportedModel model = file.Import();
+        Assert.Equal(["beach", "street"], model.Variants);
+        Rgb Look(int? variant) => Color(model.At!(new(0, variant, 0, 0, t => t)).Shapes[0].Material);
+        Assert.Equal([new(1, 0, 0), new(1, 0, 0), new(0, 1, 0)], ((int?[])[null, 0, 1]).Select(Look));
+
+        using TemporaryFolder folder = new();
+        File.WriteAllBytes(folder["model.gltf"], file.ToGltf());
+        File.WriteAllText(folder["scene.json"], """{ "shapes": [{ "type": "model", "file": "model.gltf", "variant": "streets" }], "background": 1 }""");
+        Assert.Contains(SceneLoader.Load(folder["scene.json"]).Diagnostics, d => d.Message == "there is no variant \"streets\" in the file: it has \"beach\", \"street\" (did you mean \"street\"?)");
+    }
 
     [Fact]
     public void A_model_by_itself_shows_what_the_same_native_scene_shows()
@@ -192,6 +252,13 @@ public class GltfMaterialTests
         SceneBuilder builder = new((_, _) => throw new PictureException("there are no files"));
         Film film = new RTracer(builder.Build(description)!).Render().Film;
         return [.. Enumerable.Range(0, film.Width * film.Height).Select(i => (double)film.Mean(i % film.Width, i / film.Width).Luminance)];
+    }
+
+    private static IReadOnlyList<SceneComplaint> Built(MaterialDescription material)
+    {
+        SceneBuilder builder = new();
+        builder.Build(new() { Shapes = [new SphereDescription { Material = material }], Background = Rgb.White });
+        return [.. builder.Complaints.Where(c => c.IsError)];
     }
 
     private static string Glass(float roughness, float transmission, string volume) => $$"""
