@@ -6,6 +6,18 @@ public interface IShape
     /// <summary>A box around it.</summary>
     Bounds Bounds { get; }
 
+    /// <summary>
+    /// Between which values the products of its points with a direction lie: how far it reaches along that. Unless the shape knows better, those of the
+    /// box.
+    /// </summary>
+    /// <param name="direction">A unit direction.</param>
+    (double Low, double High) Along(Vector direction)
+    {
+        double middle = Vector.Dot(Bounds.Middle, direction);
+        double reach = 0.5 * ((Math.Abs(direction.X) * Bounds.Size.X) + (Math.Abs(direction.Y) * Bounds.Size.Y) + (Math.Abs(direction.Z) * Bounds.Size.Z));
+        return (middle - reach, middle + reach);
+    }
+
     /// <summary>Its area; infinite where it has no end.</summary>
     double Area { get; }
 

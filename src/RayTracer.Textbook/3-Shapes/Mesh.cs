@@ -95,6 +95,13 @@ public sealed class MeshTriangle(Vector[] points, int a, int b, int c) : IShape
     /// <inheritdoc/>
     public Bounds Bounds => Bounds.Around(points[a], points[b], points[c]);
 
+    /// <summary>Between its corners.</summary>
+    public (double Low, double High) Along(Vector direction)
+    {
+        (double x, double y, double z) = (Vector.Dot(points[a], direction), Vector.Dot(points[b], direction), Vector.Dot(points[c], direction));
+        return (Math.Min(x, Math.Min(y, z)), Math.Max(x, Math.Max(y, z)));
+    }
+
     /// <inheritdoc/>
     public double Area => 0.5 * Across.Length;
 

@@ -1,9 +1,9 @@
 namespace RayTracer.Textbook;
 
 /// <summary>
-/// A tree of boxes (report, section 3.5): a ray that misses a box misses all that is in it. The shapes are halved where that costs least by the
-/// surface area heuristic: a ray that meets a box meets one inside with the probability of the ratio of their areas (Goldsmith &amp; Salmon 1987;
-/// MacDonald &amp; Booth 1990).
+/// A tree of boxes (report, section 3.5): a ray that misses a box misses all that is in it. The shapes are halved at the one in the middle, or where
+/// that costs least by the surface area heuristic: a ray that meets a box meets one inside with the probability of the ratio of their areas
+/// (Goldsmith &amp; Salmon 1987; MacDonald &amp; Booth 1990).
 /// </summary>
 public sealed class BoundingVolumes : IAccelerator
 {
@@ -15,14 +15,19 @@ public sealed class BoundingVolumes : IAccelerator
     private readonly int[] _order;
     private readonly Bounds[] _bounds;
     private readonly List<Node> _nodes = [];
+    private readonly bool _isHalved;
 
     /// <summary>Builds the tree.</summary>
     /// <param name="shapes">The shapes.</param>
-    public BoundingVolumes(IReadOnlyList<IShape> shapes)
+    /// <param name="isHalved">True to halve at the shape in the middle; false for the surface area heuristic.</param>
+    public BoundingVolumes(IReadOnlyList<IShape> shapes, bool isHalved = false)
     {
+        _isHalved = isHalved;
         _shapes = [.. shapes];
         _order = [.. Enumerable.Range(0, shapes.Count)];
-        _bounds = [.. shapes.Select(s => s.Bounds)];
+
+        // A little larger, so that rounding makes no ray miss a box whose shape it meets.
+        _bounds = [.. shapes.Select(s => s.Bounds).Select(b => b.Grown(1e-9 * (b.Size.Largest + b.Low.Largest)))];
         if (_shapes.Length > 0)
         {
             Build(0, _shapes.Length, 0);
@@ -100,7 +105,7 @@ public sealed class BoundingVolumes : IAccelerator
         int number = _nodes.Count;
         _nodes.Add(new(bounds, first, count, 0, 0, 0));
         int axis = middles.LongestAxis;
-        int split = count < 2 || level >= MostLevels ? 0 : Split(first, count, axis, bounds, middles);
+        int split = count < 2 || level >= MostLevels ? 0 : _isHalved ? Halve(first, count, axis) : Split(first, count, axis, bounds, middles);
         if (split > 0)
         {
             int left = Build(first, split, level + 1);
@@ -109,6 +114,18 @@ public sealed class BoundingVolumes : IAccelerator
         }
 
         return number;
+    }
+
+    // Half of the shapes on either side, in the order of their middles.
+    private int Halve(int first, int count, int axis)
+    {
+        if (count <= 4)
+        {
+            return 0;
+        }
+
+        Array.Sort(_order, first, count, Comparer<int>.Create((a, b) => _bounds[a].Middle[axis].CompareTo(_bounds[b].Middle[axis])));
+        return count / 2;
     }
 
     // Where between bins of equal width the two sides together cost least; puts the shapes of the left one first, and returns how many they
