@@ -98,6 +98,40 @@ public class SamplingTests
     }
 
     [Theory]
+    [InlineData(1.5)]
+    [InlineData(2.4)]
+    [InlineData(0.7)]
+    public void Fresnels_equations_are_those_of_the_books(double index)
+    {
+        // Along the normal; at Brewster's angle, where none of the light that swings in the plane of incidence is reflected; and at a glance.
+        Assert.Equal(Math.Pow((index - 1) / (index + 1), 2), Refraction.Fresnel(1, 1, 1 / index), 12);
+        double cosine = 1 / Math.Sqrt(1 + (index * index));
+        double transmitted = Math.Sqrt(1 - ((1 - (cosine * cosine)) / (index * index)));
+        double perpendicular = ((index * index) - 1) / ((index * index) + 1);
+        Assert.Equal(0.5 * perpendicular * perpendicular, Refraction.Fresnel(cosine, transmitted, 1 / index), 12);
+        Assert.Equal(1, Refraction.Fresnel(0, 0.5, 1 / index), 12);
+    }
+
+    [Fact]
+    public void Points_of_lenses_and_of_a_torus_are_uniform()
+    {
+        // Mean squares of a disk and of a square are 1/4 and 1/3; and of a torus, the outer half has 1/2 + r/πR of the area.
+        IndependentSampler sampler = Sampler(3);
+        ILens[] lenses = [new RoundLens(new(1, 0, 0), new(0, 1, 0)), new SquareLens(new(1, 0, 0), new(0, 1, 0)), new EyeJitter(Transform.Scaling(new(2, 2, 2)))];
+        double[] expected = [0.25, 1.0 / 3, 1.0 / 3];
+        for (int lens = 0; lens < lenses.Length; lens++)
+        {
+            Vector[] points = [.. Enumerable.Range(0, Count).Select(_ => lenses[lens].Point(sampler))];
+            ErrorBudget.Textbook.Check(PValues.Mean([.. points.Select(p => p.X * p.X)], expected[lens]), $"lens {lens}, along");
+            ErrorBudget.Textbook.Check(PValues.Mean([.. points.Select(p => p.Y * p.Y)], expected[lens]), $"lens {lens}, across");
+        }
+
+        Torus torus = new(1, 0.5);
+        double[] outer = [.. Enumerable.Range(0, Count).Select(_ => torus.PointAt(sampler.Next2()).Point is var p && Math.Sqrt((p.X * p.X) + (p.Z * p.Z)) > 1 ? 1.0 : 0)];
+        ErrorBudget.Textbook.Check(PValues.Mean(outer, 0.5 + (0.5 / Math.PI)), "outer half of a torus");
+    }
+
+    [Theory]
     [InlineData(1.5, 0.9)]
     [InlineData(1.5, 0.2)]
     [InlineData(0.7, 0.9)]

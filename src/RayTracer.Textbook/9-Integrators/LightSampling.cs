@@ -18,14 +18,17 @@ public static class LightSampling
     public static Rgb FromLight(
         Scene scene, ILight light, in Hit hit, ISampler sampler, BsdfOf bsdf, Func<double, Vector, double>? weight = null)
     {
-        if (light.Sample(hit.Point, sampler.Next2()) is not { } sample)
+        // From where the shadow ray starts, a little off the surface: seen from the surface itself, a lamp that nearly touches it would stand in its
+        // own light.
+        Vector start = hit.Leave(hit.Inside ? -hit.Normal : hit.Normal).Origin;
+        if (light.Sample(start, sampler.Next2()) is not { } sample)
         {
             return default;
         }
 
         Vector toLight = hit.Frame.ToLocal(sample.Direction);
         Rgb scattered = bsdf(hit, toLight) * Math.Abs(toLight.Z);
-        if (scattered.IsBlack || hit.Leaks(sample.Direction, toLight.Z) || !scene.IsFree(hit.Leave(sample.Direction), sample.Distance))
+        if (scattered.IsBlack || hit.Leaks(sample.Direction, toLight.Z) || !scene.IsFree(new(start, sample.Direction), sample.Distance))
         {
             return default;
         }
