@@ -76,7 +76,8 @@ internal sealed class RenderReport(RenderJob job, JobResult result, Display disp
     {
         string threads = result.Threads == 1 ? "1 thread" : $"{result.Threads} threads";
         output.WriteLine($"{job.Scene}: {_render.Width}×{_render.Height} pixels, {result.SamplesText} samples each, {threads}");
-        output.WriteLine($"{_statistics.Paths:N0} paths and {_statistics.Rays:N0} rays in {result.Seconds:F2} s, {result.RaysPerSecond / 1e6:F1} M rays/s; {totalSeconds:F2} s in all");
+        (string rays, string speed) = job.Edition is null ? ($" and {_statistics.Rays:N0} rays", $", {result.RaysPerSecond / 1e6:F1} M rays/s") : ("", $", {job.Edition} edition");
+        output.WriteLine($"{_statistics.Paths:N0} paths{rays} in {result.Seconds:F2} s{speed}; {totalSeconds:F2} s in all");
         if (result.Plan is { } plan)
         {
             output.WriteLine($"the noise is about {100 * plan.Error:G3} % of the picture's brightness; {plan.Statistics.Paths:N0} of these paths were rendered to estimate that");

@@ -51,6 +51,7 @@ internal sealed class ResumeVerb
             Frames = origin.Frames,
             Noise = origin.Noise,
             Guide = origin.Guide,
+            Edition = origin.Edition,
             Crop = origin.Crop,
             Halves = origin.Halves,
             Alpha = origin.KeepsAlpha,

@@ -103,8 +103,9 @@ public sealed class FilmMerge
         {
             if (header.Content != first.Content || (header.Width, header.Height, header.Crop) != (first.Width, first.Height, first.Crop))
             {
-                string? guides = Guidance.Unguided(header.Content) == Guidance.Unguided(first.Content) ? "one was rendered with --guide, or by another version's, and the other was not" : null;
-                throw new JobException(guides is not null ? $"'{path}' does not go with '{firstPath}': {guides}" : $"'{path}' is not of the same picture as '{firstPath}': the scene, a file that it names, its settings, a plug-in or the program differ");
+                string? reason = Guidance.Unguided(header.Content) == Guidance.Unguided(first.Content) ? "one was rendered with --guide, or by another version's, and the other was not"
+                    : Edition.Of(header.Content) != Edition.Of(first.Content) ? "one was rendered by another edition (--edition)" : null;
+                throw new JobException(reason is not null ? $"'{path}' does not go with '{firstPath}': {reason}" : $"'{path}' is not of the same picture as '{firstPath}': the scene, a file that it names, its settings, a plug-in or the program differ");
             }
         }
 

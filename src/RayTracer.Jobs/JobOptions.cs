@@ -169,6 +169,11 @@ public static class JobOptions
         GuideFile,
     ];
 
+    private static JobOption OfEdition { get; } = new("--edition", string.Join('|', Edition.Words),
+        "Which edition renders: the fast one; or the one to be read (docs/textbook.md), with the scene's integrator or one of its own. It has fewer features, and its bits depend on the system.",
+        (j, w) => j with { Edition = W.Choice(w, Edition.Words, [null, .. Edition.Words.Skip(1)]) }, j => j.Edition)
+    { Use = JobOptionUse.Films };
+
     /// <summary>All that <c>render</c> has.</summary>
     public static IReadOnlyList<JobOption> All { get; } =
     [
@@ -187,7 +192,7 @@ public static class JobOptions
                 j with { Noise = W.Fraction(w) }, j => Text(j.Noise, null)) { Use = JobOptionUse.Films },
         new("--adaptive", null, "Spends samples where the error is: --spp is the mean then. With --noise, only as many as that takes.",
             (j, _) => j with { Adaptive = true }, j => Flag(j.Adaptive)) { Use = JobOptionUse.Pictures },
-        .. OfGuiding,
+        .. OfGuiding, OfEdition,
         new("--samples", "A..B", "Renders only these samples of each pixel, both included, from 0. With -o part.rtfilm, for merge.",
             (j, w) =>
                 j with { Samples = W.Samples(w) }, j => j.Samples is { } s ? FilmHeader.Text(s) : null) { Use = JobOptionUse.Pictures },

@@ -30,6 +30,8 @@ public static class JobRules
         ("--adaptive", "--samples|--part", "--adaptive decides how many samples there are: leave --samples and --part out"),
         ("--preview", "--pixel", "--pixel prints numbers: leave --preview out"),
         ("--adaptive", "passes", "--adaptive gives pixels different numbers of samples, which films in files, --checkpoint and --time cannot resume: leave it out"),
+        ("--edition", "--pixel|--denoise|--halves|--noise|--adaptive|--guide|--transparent", "{--edition}: the textbook edition makes pictures and films only: leave --pixel, --denoise, --halves, --noise, --adaptive, --guide and --transparent out"),
+        ("--edition", "images of all pixels|layers of light", "{--edition}: the textbook edition makes pictures and films only: leave --aov out"),
         ("--guide-file", "!--guide", "--guide-file keeps what --guide learns: give --guide too"),
         ("several frames", "--guide-file", "--guide-file keeps what is learned of one picture: give one frame, or leave it out"),
         ("--noise", "--samples|--part", "--noise decides how many samples there are: leave --samples and --part out"),

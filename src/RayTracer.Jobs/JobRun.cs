@@ -53,6 +53,13 @@ public sealed class JobRun(RenderJob job, IJobWatch watch)
             return null;
         }
 
+        Textbook.Renderer? textbook = Edition.Renderer(job.Edition, load, out IReadOnlyList<Diagnostic> refused);
+        watch.Read(refused);
+        if (refused.Count > 0)
+        {
+            return null;
+        }
+
         watch.End(JobStage.Build);
         _files.CheckInputs();
         JobFiles.CheckSize(job.Outputs, job.Writing, scene.Render.Width, scene.Render.Height);
@@ -62,7 +69,7 @@ public sealed class JobRun(RenderJob job, IJobWatch watch)
         IProgress<RenderProgress>? progress = watch.Begin(scene.Render);
         using IDisposable? shown = progress as IDisposable;
         long start = Stopwatch.GetTimestamp();
-        JobResult result = Render(new(job, scene, description, options with { Layers = films.Light, Strategies = films.Strategies }, progress, cancellation), films);
+        JobResult result = Render(new(job, scene, description, options with { Layers = films.Light, Strategies = films.Strategies }, progress, cancellation) { Textbook = textbook }, films);
         result = result with { Seconds = Stopwatch.GetElapsedTime(start).TotalSeconds, Description = description };
         shown?.Dispose();
         watch.End(JobStage.Render);

@@ -17,6 +17,9 @@ internal sealed record LoadedJob(
     // The content of a scene with large models takes its time.
     private readonly Lazy<string> _content = new(() => ContentHash.Of(Description, Job.Scene, Options.Crop));
 
+    /// <summary>The textbook edition's renderer; null where the fast one renders.</summary>
+    public Textbook.Renderer? Textbook { get; init; }
+
     /// <summary>The samples to render.</summary>
     public SampleRange Samples => Options.Samples!.Value;
 
@@ -28,7 +31,7 @@ internal sealed record LoadedJob(
     {
         Width = Scene.Render.Width,
         Height = Scene.Render.Height,
-        Content = Guidance.Content(_content.Value, Scene.Guide),
+        Content = Edition.Content(Guidance.Content(_content.Value, Scene.Guide), Job.Edition),
         Samples = [],
         Wanted = Samples,
         Total = Job.Samples is null && Job.Part is null ? Samples.End : Scene.Render.SamplesPerPixel,
@@ -36,7 +39,7 @@ internal sealed record LoadedJob(
         Scene = Path.GetFullPath(Job.Scene),
         Settings = Job.FilmSettings,
         Tone = PictureTone.Text(Job.Writing.For(Scene.Render)),
-        Software = ProgramName.Text,
+        Software = ProgramName.Text + Edition.Software(Job.Edition),
         Planes = Job.Planes(Scene.Render.Integrator),
     };
 
@@ -79,6 +82,11 @@ internal sealed record LoadedJob(
 
     private JobException OtherFilm(FilmHeader header)
     {
+        if (Edition.Complaint(header.Content, Job.Edition) is { } complaint)
+        {
+            return new(JobFault.File, complaint);
+        }
+
         if (Guidance.Unguided(header.Content) == _content.Value)
         {
             return new(

@@ -75,7 +75,8 @@ internal sealed class PassRender(LoadedJob loaded, JobFilms films, IJobWatch wat
             Samples = missing,
             AfterPass = HasWorkAfterPasses ? pass => AfterPass(pass, missing) : null,
         };
-        return _job.Adaptive
+        return loaded.Textbook is { } textbook ? new TextbookRender(textbook, options).Render(films.Film, loaded.Progress, loaded.Cancellation)
+            : _job.Adaptive
             ? new PlannedRender(loaded.Scene, options, plan!).Render(films.Film, loaded.Progress, loaded.Cancellation)
             : new RTracer(loaded.Scene, options).Render(films.Film, loaded.Progress, loaded.Cancellation);
     }

@@ -69,6 +69,9 @@ public sealed record RenderJob
     /// <summary>True if samples are spent where the error is.</summary>
     public bool Adaptive { get; init; }
 
+    /// <summary>The edition that renders: <c>textbook</c>, or <c>textbook:</c> with an integrator of its own; null for the fast one.</summary>
+    public string? Edition { get; init; }
+
     /// <summary>True if paths are guided by what others learned before the picture.</summary>
     public bool Guide { get; init; }
 

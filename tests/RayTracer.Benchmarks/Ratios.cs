@@ -3,11 +3,12 @@ using RayTracer.Description;
 using RayTracer.Jobs;
 using RayTracer.Rendering;
 using RayTracer.Scenes;
+using RayTracer.Textures;
 
 namespace RayTracer.Benchmarks;
 
 /// <summary>
-/// Whole renders against one another, in turn, in one process: the renderer on one thread against <see cref="ScalarTracer"/>. On a shared
+/// Whole renders against one another, in turn, in one process: the renderer on one thread against the textbook edition. On a shared
 /// machine only such ratios mean something, and processor time more than wall time.
 /// </summary>
 internal static class Ratios
@@ -17,12 +18,12 @@ internal static class Ratios
     public static int Run(string[] paths)
     {
         Console.WriteLine($"{Machine.Now()}\n\nProcessor time on one thread, the best of {Rounds} rounds in turn.\n");
-        Console.WriteLine($"| scene | scalar recursion | {Vector<float>.Count} lanes | times as fast |\n|---|---:|---:|---:|");
+        Console.WriteLine($"| scene | textbook edition | {Vector<float>.Count} lanes | times as fast |\n|---|---:|---:|---:|");
         Measure("S2, sobol", PrototypeScene.Create(SamplerKind.Sobol, 16));
         Measure("S2, jittered", PrototypeScene.Create(SamplerKind.Jittered, 16));
         foreach (string path in paths)
         {
-            SceneDescription? description = SceneReader.Read(path).Description;
+            SceneDescription? description = Scenes.SceneReader.Read(path).Description;
             if (description is null)
             {
                 Console.Error.WriteLine($"{path}: not a scene; see \"raytracer check\"");
@@ -37,26 +38,22 @@ internal static class Ratios
 
     private static void Measure(string name, SceneDescription description)
     {
-        Scene scene = Build(description);
-        double scalar = double.PositiveInfinity;
-        double one = double.PositiveInfinity;
-        long scalarRays = 0;
-        long rays = 0;
+        Func<string, bool, Picture> grey = (_, _) => new(1, 1, [0.5f, 0.5f, 0.5f]);
+        SceneBuilder builder = new(grey);
+        Scene scene = builder.Build(description) ?? throw new InvalidOperationException(builder.Complaints[0].Message);
+        Textbook.SceneReader reader = new(grey);
+        Textbook.Renderer textbook = reader.Read(description) ?? throw new InvalidOperationException(reader.Complaints[0].Message);
+        double slow = double.PositiveInfinity;
+        double fast = double.PositiveInfinity;
+        int samples = description.Render.SamplesPerPixel;
+        long paths = (long)description.Render.Width * description.Render.Height * samples;
         for (int round = 0; round < Rounds; round++)
         {
-            ScalarTracer tracer = new(description);
-            scalar = Math.Min(scalar, ProcessorTime(() => tracer.Render()));
-            scalarRays = tracer.Rays;
-            one = Math.Min(one, ProcessorTime(() => rays = new RTracer(scene, new() { Threads = 1 }).Render().Statistics.Rays));
+            slow = Math.Min(slow, ProcessorTime(() => Enumerable.Range(0, samples).ToList().ForEach(sample => textbook.Pass(sample))));
+            fast = Math.Min(fast, ProcessorTime(() => new RTracer(scene, new() { Threads = 1 }).Render()));
         }
 
-        Console.WriteLine($"| {name} | {scalar:F2} s, {scalarRays / scalar / 1e6:F1} M rays/s | {one:F2} s, {rays / one / 1e6:F0} M rays/s | {scalar / one:F1} |");
-    }
-
-    private static Scene Build(SceneDescription description)
-    {
-        SceneBuilder builder = new((_, _) => new(1, 1, [0.5f, 0.5f, 0.5f]));
-        return builder.Build(description) ?? throw new InvalidOperationException(builder.Complaints[0].Message);
+        Console.WriteLine($"| {name} | {slow:F2} s, {paths / slow / 1e6:F2} M paths/s | {fast:F2} s, {paths / fast / 1e6:F2} M paths/s | {slow / fast:F1} |");
     }
 
     private static double ProcessorTime(Action action)

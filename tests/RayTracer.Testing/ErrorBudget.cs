@@ -49,7 +49,10 @@ public static class ErrorBudget
     /// <summary>Scenes with features two by two, against equal ones that are made otherwise.</summary>
     public static TestFamily Pairs { get; } = new("pairs", 2e-5, 40, "equal scenes that are made otherwise have the same expected image");
 
+    /// <summary>The edition to be read, against the renderer and against closed forms.</summary>
+    public static TestFamily Textbook { get; } = new("textbook", 9e-6, 200, "both editions have the same expected image, and what the textbook one samples has its pdf");
+
     /// <summary>All families.</summary>
     public static IReadOnlyList<TestFamily> Families { get; } =
-        [Oracle, References, Warps, Lights, Materials, Samplers, Analytic, Geometry, Transport, NullRuns, Images, Filters, Pairs];
+        [Oracle, References, Warps, Lights, Materials, Samplers, Analytic, Geometry, Transport, NullRuns, Images, Filters, Pairs, Textbook];
 }

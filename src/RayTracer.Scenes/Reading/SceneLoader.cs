@@ -121,11 +121,13 @@ public static class SceneLoader
 
         Scene? scene = null;
         IReadOnlyDictionary<(string File, string Animation), double> played = new Dictionary<(string, string), double>();
+        RecordOwners owners = new(description);
+        Func<string, bool, Picture> Pictures(SceneBudget budget) => new PictureFolder(folder, readPicture ?? ImageFile.Read, budget).Load;
         if (!diagnostics.Exists(d => d is { Line: 0, Column: 0 } && d.Severity == Severity.Error))
         {
             SceneBudget budget = SceneBudget.Open ?? new();
             using IDisposable counted = budget.Begin();
-            SceneBuilder builder = new(new PictureFolder(folder, readPicture ?? ImageFile.Read, budget).Load, models.Load, new VolumeFolder(folder).Load) { KeepsSources = keepsSources, Budget = budget };
+            SceneBuilder builder = new(Pictures(budget), models.Load, new VolumeFolder(folder).Load) { KeepsSources = keepsSources, Budget = budget };
             scene = builder.Build(description);
             played = builder.Played;
             if (scene is not null && read.Description is not null)
@@ -134,12 +136,17 @@ public static class SceneLoader
                 new UnseenParts(scene, description, builder).WarnOfDarkness();
             }
 
-            RecordOwners owners = new(description);
             diagnostics.AddRange(builder.Complaints.Where(c => !read.SourceMap.IsIncomplete(c.Subject)).Select(c => ToDiagnostic(c, read, owners)));
         }
 
         bool isGood = !diagnostics.Exists(d => d.Severity == Severity.Error);
-        return new(isGood ? scene : null, read.Description is null ? null : description, Diagnostic.Sort(diagnostics)) { Played = played };
+        return new(isGood ? scene : null, read.Description is null ? null : description, Diagnostic.Sort(diagnostics))
+        {
+            Played = played,
+            LoadPicture = Pictures(new()),
+            LoadModel = models.Load,
+            Locate = complaint => ToDiagnostic(complaint, read, owners),
+        };
     }
 
     private static SceneDescription Override(SceneDescription original, Func<SceneDescription, SceneDescription> overrides, SceneReadResult read)
@@ -171,6 +178,15 @@ public sealed record SceneLoadResult(Scene? Scene, SceneDescription? Description
 {
     // The seconds of the animations of models that are played, by the file and the animation's name in the scene.
     internal IReadOnlyDictionary<(string File, string Animation), double> Played { get; init; } = new Dictionary<(string, string), double>();
+
+    /// <summary>Reads the picture files that the scene names, for others who make something of its description; raw where the second argument says so.</summary>
+    public Func<string, bool, Picture> LoadPicture { get; init; } = (_, _) => throw new PictureException("the scene was not read");
+
+    /// <summary>Reads the model files that the scene names.</summary>
+    public Func<string, ImportedModel> LoadModel { get; init; } = _ => throw new ModelException("the scene was not read");
+
+    /// <summary>Finds the place in the file of what is complained about.</summary>
+    public Func<SceneComplaint, Diagnostic> Locate { get; init; } = c => new("", 0, 0, c.IsError ? Severity.Error : Severity.Warning, c.Message);
 }
 
 /// <summary>A format of scene files other than the native one; RayTracer.Import registers Mitsuba's.</summary>

@@ -1,0 +1,68 @@
+using RayTracer.Description;
+using RayTracer.Scenes;
+
+namespace RayTracer.Textbook.Tests;
+
+/// <summary>What the textbook edition lacks is refused by name, at its place in the file.</summary>
+public class RefusalTests
+{
+    [Theory]
+    [InlineData("""{ "shapes": [ { "type": "cylinder", "bottom": [0, 0, 0], "top": [0, 1, 0] } ] }""", "no shape of type \"cylinder\"", 1, 15)]
+    [InlineData("""{ "shapes": [ { "type": "sphere", "center": [0, 0, 0], "material": { "type": "plastic" } } ] }""", "no material of type \"plastic\"", 1, 68)]
+    [InlineData("""{ "shapes": [ { "type": "sphere", "center": [0, 0, 0], "material": { "type": "dielectric", "glass": "bk7" } } ] }""", "no \"glass\" of a dielectric", 1, 101)]
+    [InlineData("""{ "render": { "integrator": "vcm" } }""", "no integrator \"vcm\"", 1, 29)]
+    [InlineData("""{ "render": { "hideLights": true } }""", "no \"hideLights\" of a render", 1, 29)]
+    [InlineData("""{ "camera": { "projection": "spherical" } }""", "no spherical cameras", 1, 29)]
+    [InlineData("""{ "environment": { "type": "sky" } }""", "no environment of type \"sky\"", 1, 18)]
+    [InlineData("""{ "shapes": [ { "type": "sphere", "center": [0, 0, 0], "motion": [ { "time": 0 }, { "time": 1, "transform": [ { "translate": [1, 0, 0] } ] } ] } ] }""", "no \"motion\"", 1, 66)]
+    public void What_is_lacking_is_refused_at_its_place(string text, string message, int line, int column)
+    {
+        SceneLoadResult load = SceneLoader.LoadText(text, "test.json", ".");
+        SceneReader reader = new(load.LoadPicture, load.LoadModel);
+        Assert.Null(reader.Read(load.Description!));
+        SceneComplaint complaint = Assert.Single(reader.Complaints);
+        Diagnostic diagnostic = load.Locate(complaint);
+        Assert.Contains(message, complaint.Message, StringComparison.Ordinal);
+        Assert.Equal((line, column), (diagnostic.Line, diagnostic.Column));
+    }
+
+    [Fact]
+    public void Every_material_shape_and_texture_is_taken_or_refused_by_its_name()
+    {
+        foreach (MaterialDescription material in Things<MaterialDescription>())
+        {
+            SceneDescription scene = new() { Shapes = [new Shapes.SphereDescription { Material = material }] };
+            SceneReader reader = new();
+            bool isTaken = reader.Read(scene) is not null;
+            Assert.True(isTaken || reader.Complaints.Any(c => c.Message.Contains('"' + RecordType.Of(material.GetType()).Name + '"', StringComparison.Ordinal)), material.GetType().Name);
+        }
+    }
+
+    [Fact]
+    public void Metals_are_those_of_the_scene_format()
+    {
+        // The same ball by its name and by the numbers that the product's table has.
+        string Scene(string metal) => $$"""{ "camera": { "fieldOfView": 5 }, "render": { "width": 2, "height": 2, "samplesPerPixel": 4 }, "background": [1, 1, 1], "shapes": [ { "type": "sphere", "center": [0, 0, 0], "material": { "type": "conductor", {{metal}} } } ] }""";
+        foreach (string metal in new[] { "aluminium", "copper", "gold", "silver" })
+        {
+            SceneLoadResult load = Editions.LoadText(Scene($"\"metal\": \"{metal}\""));
+            (ImageSamples textbook, ImageSamples fast) = (Editions.Textbook(load, 2), Editions.Fast(load, 2));
+            Assert.All(Enumerable.Range(0, 12), i => Assert.Equal(fast.Value(0, i), textbook.Value(0, i), 1e-4f));
+        }
+    }
+
+    [Fact]
+    public void Films_of_the_library_begin_anew_with_each_sample()
+    {
+        // A sample depends on the scene, the pixel and its number alone, not on threads or on what was rendered before.
+        SceneLoadResult load = Editions.Load(ProjectFolder.PathOf("scenes", "report", "scene2.json"), d => d with { Render = d.Render with { Width = 16, Height = 12, SamplesPerPixel = 4 } });
+        Renderer New() => new SceneReader(load.LoadPicture, load.LoadModel).Read(load.Description!)!;
+        Rgb[] alone = New().Pass(3, threads: 1);
+        Renderer other = New();
+        other.Pass(0, threads: 2);
+        Assert.Equal(alone, other.Pass(3, threads: 2));
+    }
+
+    private static IEnumerable<T> Things<T>() =>
+        typeof(T).Assembly.GetTypes().Where(t => t.IsSubclassOf(typeof(T)) && !t.IsAbstract).Select(t => (T)Activator.CreateInstance(t)!);
+}
