@@ -115,7 +115,7 @@ public static class OldFilms
     {
         // Parameters that came after the first format: they count only where they are given.
         private static readonly string[] s_later =
-            ["mergeRadius", "splitting", "straightThrough", "hideLights", "colorAttribute", "luminance", "density", "noise", "albedoGrid"];
+            ["mergeRadius", "splitting", "straightThrough", "hideLights", "colorAttribute", "luminance", "density", "noise", "albedoGrid", "values"];
 
         public string Of(SceneDescription scene, Tile? crop)
         {
