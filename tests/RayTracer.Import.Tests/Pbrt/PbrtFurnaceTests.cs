@@ -19,7 +19,7 @@ public class PbrtFurnaceTests
         MakeNamedMaterial "matt" "string type" "diffuse" "rgb reflectance" [0.5 0.5 0.5]
         MakeNamedMaterial "mirror" "string type" "conductor" "rgb reflectance" [1 1 1]
         Material "mix" "string materials" ["matt" "mirror"] "float amount" 0.5
-        """;
+        """ + "\n";
 
     private const string Sphere = "ReverseOrientation Shape \"sphere\" \"float radius\" 1 ";
     private const string Point = """LightSource "point" "rgb I" [3.14159265 3.14159265 3.14159265] """;
