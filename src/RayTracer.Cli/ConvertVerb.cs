@@ -10,11 +10,11 @@ using RayTracer.Textures;
 namespace RayTracer.Cli;
 
 /// <summary>
-/// <c>raytracer convert FROM TO</c>: writes a scene, of Mitsuba or a model, in the native format; and images and films as images.
+/// <c>raytracer convert FROM TO</c>: writes a scene, of Mitsuba or pbrt or a model, in the native format; and images and films as images.
 /// </summary>
 internal sealed class ConvertVerb
 {
-    private readonly Argument<string> _from = new("FROM") { Description = "The file to read: a scene of Mitsuba (.xml), a native one (.json) or a model; or an image or a film." };
+    private readonly Argument<string> _from = new("FROM") { Description = "The file to read: a scene of Mitsuba (.xml) or pbrt (.pbrt), a native one (.json) or a model; or an image or a film." };
     private readonly Argument<string> _to = new("TO") { Description = "The file to write: a native scene (.json), an image, or a film (.rtfilm) if the input holds one.", Arity = ArgumentArity.ZeroOrOne };
     private readonly Option<string?> _output = new("-o", "--output") { HelpName = "FILE", Description = "The file to write, instead of TO." };
     private readonly ParsedOption<long?> _width = OptionValues.Integer("--width", "Images: scales down to this width; without --height, the aspect ratio is kept.", 1, int.MaxValue);
@@ -187,7 +187,7 @@ internal sealed class ConvertVerb
         (int)Math.Clamp(Math.Round((double)length * part / whole), 1, int.MaxValue);
 
     private static bool IsSceneName(string path) =>
-        Path.GetExtension(path).ToLowerInvariant() is ".json" or ".xml" || ModelFile.IsModel(path);
+        Path.GetExtension(path).ToLowerInvariant() is ".json" || SceneFormat.Of(path) is not null || ModelFile.IsModel(path);
 
     private static string Moved(string name, string from, string to) =>
         Path.IsPathRooted(name) || !File.Exists(Path.Combine(from, name)) ? name

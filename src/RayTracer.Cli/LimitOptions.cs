@@ -9,7 +9,7 @@ namespace RayTracer.Cli;
 
 /// <summary>
 /// The options <c>--memory</c>, <c>--work</c>, <c>--root</c>, <c>--strict</c>, <c>--lenient</c> and <c>--define</c> of all verbs: the limits of what a scene may take,
-/// read and lack, and what scenes of Mitsuba are given.
+/// read and lack, and what scenes of other programs are given.
 /// </summary>
 internal static class LimitOptions
 {
@@ -43,7 +43,7 @@ internal static class LimitOptions
 
     private static readonly Option<bool> s_lenient = new("--lenient")
     {
-        Description = "Renders what can be rendered of a scene of Mitsuba: what is not supported is a warning, and something magenta stands in for it.",
+        Description = "Renders what can be rendered of a scene of Mitsuba or pbrt: what is not supported is a warning, and something magenta stands in for it.",
         Recursive = true,
     };
 
@@ -72,8 +72,8 @@ internal static class LimitOptions
     public static void Apply(ParseResult result)
     {
         StandIn.IsError = result.GetValue(s_strict);
-        MitsubaSettings.IsLenient = result.GetValue(s_lenient);
-        MitsubaSettings.Parameters = (result.GetValue(s_define) ?? []).Select(Definition).GroupBy(d => d.Name).ToDictionary(g => g.Key, g => g.Last().Value);
+        ImportSettings.IsLenient = result.GetValue(s_lenient);
+        ImportSettings.Parameters = (result.GetValue(s_define) ?? []).Select(Definition).GroupBy(d => d.Name).ToDictionary(g => g.Key, g => g.Last().Value);
         if (result.GetValue(s_memory) is { } size)
         {
             SceneBudget.Limit = Amount("--memory", size);

@@ -7,7 +7,7 @@ namespace RayTracer.Cli;
 /// <summary><c>raytracer render SCENE -o FILE</c>: words become a job, which <see cref="ConsoleRun"/> carries out.</summary>
 internal sealed class RenderVerb
 {
-    private readonly Argument<string> _scene = new("SCENE") { Description = "The scene file: native (.json), of Mitsuba (.xml), or a model." };
+    private readonly Argument<string> _scene = new("SCENE") { Description = "The scene file: native (.json), of Mitsuba (.xml) or pbrt (.pbrt), or a model." };
     private readonly Option<string[]> _outputs = new("-o", "--output")
     {
         HelpName = "FILE",

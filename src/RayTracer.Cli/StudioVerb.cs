@@ -12,7 +12,7 @@ internal static class StudioVerb
 
     public static void Build(Command command, Streams streams)
     {
-        Argument<string?> scene = new("SCENE") { Description = "The scene (native or Mitsuba) or model file to open. Default: a new scene.", Arity = ArgumentArity.ZeroOrOne };
+        Argument<string?> scene = new("SCENE") { Description = "The scene (native, Mitsuba or pbrt) or model file to open. Default: a new scene.", Arity = ArgumentArity.ZeroOrOne };
         ParsedOption<long?> port = OptionValues.Integer("--port", "The port to listen on. Default: a free one.", 0, 65535);
         Option<bool> noBrowser = new("--no-browser") { Description = "Opens no window; only prints the address." };
         command.Arguments.Add(scene);

@@ -15,5 +15,7 @@ public static class Importers
         ModelFile.Register(".serialized", SerializedReader.Read);
         ModelFile.Register(".stl", StlReader.Read);
         SceneFormat.Register(new(".xml", MitsubaReader.Read));
+        SceneFormat.Register(new(".pbrt", PbrtReader.Read));
+        SceneFormat.Register(new(".pbrt.gz", PbrtReader.Read));
     }
 }

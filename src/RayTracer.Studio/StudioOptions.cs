@@ -14,7 +14,7 @@ internal sealed record StudioOptions
 
         Opens a window in which scenes are rendered, edited and inspected.
 
-          SCENE                 a scene (.json, Mitsuba's .xml), a model, a film (.rtfilm) or image of this program, or a share bundle (.zip);
+          SCENE                 a scene (.json, Mitsuba's .xml, pbrt's .pbrt), a model, a film (.rtfilm) or image of this program, or a share bundle (.zip);
                                 without one, the gallery of shipped scenes is shown
           --plugin FILE         an assembly with more shapes, materials, textures, lights or formats; may be repeated
           --port N              the port of 127.0.0.1 to listen on; without it the one of the last time, or another one if that is taken

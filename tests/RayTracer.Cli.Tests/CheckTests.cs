@@ -21,7 +21,7 @@ public sealed class CheckTests : IDisposable
     public void Dispose() => _folder.Dispose();
 
     [Theory]
-    [InlineData("a.pbrt", "pbrt")]
+    [InlineData("a.dae", "Collada")]
     [InlineData("a.usdz", "USD")]
     [InlineData("a.BLEND", "Blender")]
     [InlineData("a.fbx", "FBX")]
@@ -32,7 +32,7 @@ public sealed class CheckTests : IDisposable
         File.WriteAllText(folder[name], "LookAt 0 0 0");
         CliRun run = CliRun.Of("check", folder[name]);
         Assert.Equal(3, run.Status);
-        Assert.StartsWith($"{folder[name]}: error: files of {program} are not read: scenes are .json, .xml, and models ", run.Output, StringComparison.Ordinal);
+        Assert.StartsWith($"{folder[name]}: error: files of {program} are not read: scenes are .json, .xml, .pbrt, .pbrt.gz, and models ", run.Output, StringComparison.Ordinal);
         Assert.Contains(".gltf, .obj, .ply", run.Output, StringComparison.Ordinal);
     }
 

@@ -6,7 +6,7 @@ using RayTracer.Textures;
 namespace RayTracer.Import;
 
 /// <summary>Makes materials. What reflects does so on its front only, unless it is within <c>twosided</c>.</summary>
-internal sealed class MitsubaBsdfs(MitsubaReading reading, MitsubaTextures textures)
+internal sealed class MitsubaBsdfs(ImportReading reading, MitsubaTextures textures)
 {
     private static readonly Rgb s_half = new(0.5f, 0.5f, 0.5f);
 
@@ -17,13 +17,13 @@ internal sealed class MitsubaBsdfs(MitsubaReading reading, MitsubaTextures textu
 
     /// <summary>The material of surfaces that give none.</summary>
     public static MaterialDescription Standard { get; } =
-        new OneSidedMaterialDescription { Material = new DiffuseMaterialDescription { Color = MitsubaTextures.Solid(s_half) } };
+        new OneSidedMaterialDescription { Material = new DiffuseMaterialDescription { Color = MaterialTextures.Solid(s_half) } };
 
     /// <summary>The material of emitting surfaces that give none.</summary>
-    public static MaterialDescription Black { get; } = new DiffuseMaterialDescription { Color = MitsubaTextures.Solid(Rgb.Black) };
+    public static MaterialDescription Black { get; } = new DiffuseMaterialDescription { Color = MaterialTextures.Solid(Rgb.Black) };
 
     /// <summary>The material of what is not supported.</summary>
-    public static MaterialDescription Magenta { get; } = new DiffuseMaterialDescription { Color = MitsubaTextures.Solid(new(1, 0, 1)) };
+    public static MaterialDescription Magenta { get; } = new DiffuseMaterialDescription { Color = MaterialTextures.Solid(new Rgb(1, 0, 1)) };
 
     /// <summary>True where the integrator shows media: then boundaries of nothing do not count as edges of paths.</summary>
     public bool IsVolumetric { get; set; }
@@ -64,7 +64,7 @@ internal sealed class MitsubaBsdfs(MitsubaReading reading, MitsubaTextures textu
         "blendbsdf" => Mixed(textures.Read(bsdf, "weight", 0.5f), Inner(bsdf, 2, 2, isTwoSided)),
         "normalmap" => _wrappers.NormalMap(bsdf, Inner(bsdf, 1, 1, isTwoSided)[0]),
         "bumpmap" => _wrappers.BumpMap(bsdf, Inner(bsdf, 1, 1, isTwoSided)[0]),
-        "null" => IsVolumetric ? new InvisibleMaterialDescription() : new MaskMaterialDescription { Opacity = MitsubaTextures.Solid(Rgb.Black) },
+        "null" => IsVolumetric ? new InvisibleMaterialDescription() : new MaskMaterialDescription { Opacity = MaterialTextures.Solid(Rgb.Black) },
         _ => Unknown(bsdf),
     };
 

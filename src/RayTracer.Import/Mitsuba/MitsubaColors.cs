@@ -42,7 +42,7 @@ internal static class MitsubaColors
     }
 
     // The colour of a spectrum may lie beyond those of three primaries.
-    private static Rgb Limited(Rgb color, float maximum, string name, SourcePlace place, MitsubaLog log)
+    private static Rgb Limited(Rgb color, float maximum, string name, SourcePlace place, ImportLog log)
     {
         Rgb limited = new(float.Clamp(color.R, 0, maximum), float.Clamp(color.G, 0, maximum), float.Clamp(color.B, 0, maximum));
         if (limited != color)
@@ -91,7 +91,7 @@ internal static class MitsubaColors
     private static Spectrum BlackBody(MitsubaObject plugin) => Scenes.Spectrum.BlackBody(
         plugin.Float("temperature", 5000, 1), plugin.Float("wavelength_min", CieTables.First), plugin.Float("wavelength_max", CieTables.Last));
 
-    private static Rgb? Rgb(MitsubaElement property, MitsubaLog log)
+    private static Rgb? Rgb(MitsubaElement property, ImportLog log)
     {
         if (property.Attribute("value") is ['#', ..] hex)
         {
@@ -111,10 +111,11 @@ internal static class MitsubaColors
     // One number, or wavelengths and numbers: 400:0.1, 500:0.2; or a file of them.
     private static Rgb? Spectrum(MitsubaElement property, bool isLight, MitsubaObject thing)
     {
-        MitsubaLog log = thing.Log;
+        ImportLog log = thing.Log;
         if (property.Attributes.ContainsKey("filename"))
         {
-            return SpectrumFile.Read(property, thing) is { } file ? Color(file, isLight) : null;
+            string name = property.Attribute("filename")!;
+            return SpectrumFile.Read(thing.PathOf(name), name, property.PlaceOf("filename"), log) is { } file ? Color(file, isLight) : null;
         }
 
         string[] words = MitsubaNumbers.Words(property.Attribute("value") ?? "");
@@ -134,7 +135,7 @@ internal static class MitsubaColors
     }
 
     /// <summary>A spectrum of words; null, after an error, where they are none.</summary>
-    public static Spectrum? Sampled(string[] wavelengths, string[] values, SourcePlace place, MitsubaLog log)
+    public static Spectrum? Sampled(string[] wavelengths, string[] values, SourcePlace place, ImportLog log)
     {
         if (wavelengths.Length != values.Length || wavelengths.Length is 0 or > MostSamples)
         {
@@ -167,38 +168,4 @@ internal static class MitsubaColors
     }
 
     private static Rgb Color(Spectrum spectrum, bool isLight) => isLight ? spectrum.Light() : spectrum.Reflectance();
-}
-
-/// <summary>Reads files of spectra: a wavelength in nm and a number a line, # before comments.</summary>
-internal static class SpectrumFile
-{
-    private const int LargestBytes = 1 << 24;
-
-    /// <summary>The spectrum in the file that an element names; null, after an error, where it cannot be read.</summary>
-    public static Spectrum? Read(MitsubaElement property, MitsubaObject thing)
-    {
-        string name = property.Attribute("filename")!;
-        string path = thing.PathOf(name);
-        SourcePlace place = property.PlaceOf("filename");
-        try
-        {
-            string? complaint = FileSearch.Complaint(path) ?? (new FileInfo(path).Length > LargestBytes ? "it is too large for a spectrum" : null);
-            if (complaint is not null)
-            {
-                return thing.Log.Fail<Spectrum>(place, $"cannot read {Quotation.Of(name)}: {complaint}");
-            }
-
-            string[][] lines = [.. File.ReadLines(path).Select(l => MitsubaNumbers.Words(l.Split('#')[0])).Where(w => w.Length > 0)];
-            if (Array.FindIndex(lines, w => w.Length != 2) is var bad and >= 0)
-            {
-                return thing.Log.Fail<Spectrum>(place, $"{Quotation.Of(name)} is not a spectrum: expected a wavelength and a number per line, but one has {lines[bad].Length} words");
-            }
-
-            return MitsubaColors.Sampled([.. lines.Select(w => w[0])], [.. lines.Select(w => w[1])], place, thing.Log);
-        }
-        catch (Exception e) when (e is IOException or UnauthorizedAccessException or ArgumentException)
-        {
-            return thing.Log.Fail<Spectrum>(place, $"cannot read {Quotation.Of(name)}: {e.Message.TrimEnd('.')}");
-        }
-    }
 }

@@ -25,7 +25,7 @@ internal sealed class MitsubaDocument
 
     private static readonly string[] Others = ["ref", "include", "default", "alias", "path"];
 
-    private readonly MitsubaLog _log;
+    private readonly ImportLog _log;
     private readonly MitsubaParameters _parameters;
     private readonly Dictionary<string, MitsubaObject> _ids = new(StringComparer.Ordinal);
 
@@ -35,7 +35,7 @@ internal sealed class MitsubaDocument
     private readonly HashSet<MitsubaObject> _open = [];
     private readonly HashSet<MitsubaElement> _loops = [];
 
-    private MitsubaDocument(MitsubaLog log)
+    private MitsubaDocument(ImportLog log)
     {
         _log = log;
         _parameters = new(log);
@@ -45,7 +45,7 @@ internal sealed class MitsubaDocument
     /// <param name="path">The file's path.</param>
     /// <param name="log">Takes what is wrong.</param>
     /// <returns>The scene; null where there is none.</returns>
-    public static MitsubaObject? Read(string path, MitsubaLog log)
+    public static MitsubaObject? Read(string path, ImportLog log)
     {
         MitsubaDocument document = new(log);
         if (MitsubaXml.Read(path, log) is not { } root || !document.IsScene(root))

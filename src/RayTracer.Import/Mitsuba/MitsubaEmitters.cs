@@ -7,7 +7,7 @@ using RayTracer.Numerics;
 namespace RayTracer.Import;
 
 /// <summary>Makes lights.</summary>
-internal sealed class MitsubaEmitters(MitsubaReading reading, MitsubaTextures textures)
+internal sealed class MitsubaEmitters(ImportReading reading, MitsubaTextures textures)
 {
     private static readonly string[] s_known = ["area", "point", "spot", "directional", "constant", "envmap"];
 
@@ -97,7 +97,7 @@ internal sealed class MitsubaEmitters(MitsubaReading reading, MitsubaTextures te
         {
             File = file,
             Scale = scale,
-            Transform = MitsubaSurfaces.Steps(place),
+            Transform = MatrixSteps.Of(place),
         };
     }
 

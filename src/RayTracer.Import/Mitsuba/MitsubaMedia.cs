@@ -34,7 +34,7 @@ internal static class MitsubaMedia
         }
 
         MediumDescription medium = Read(inside);
-        if (Filled(material, medium, new(ReferenceEqualityComparer.Instance)) is { } filled)
+        if (FilledMaterials.Fill(material, medium) is { } filled)
         {
             return filled;
         }
@@ -124,33 +124,13 @@ internal static class MitsubaMedia
         {
             File = volume.FileName() ?? "",
             Box = volume.Boolean("use_grid_bbox", false) ? [] : [Vector3.Zero, Vector3.One],
-            Transform = place.IsIdentity ? [] : [new() { Matrix = [.. Row(place.X), .. Row(place.Y), .. Row(place.Z)] }],
+            Transform = MatrixSteps.Of(place),
             Interpolation = volume.Choice("filter_type", GridInterpolation.Trilinear, s_filters),
             Wrapping = volume.Choice("wrap_mode", Wrapping.Clamp, s_wrappings),
         };
         volume.Finish();
         return grid;
     }
-
-    private static float[] Row(in TransformRow row) => [(float)row.A, (float)row.B, (float)row.C, (float)row.D];
-
-    // What lets light in, with a medium inside; null where nothing does. Each part once: mixes may share theirs.
-    private static MaterialDescription? Filled(MaterialDescription material, MediumDescription medium, Dictionary<object, MaterialDescription?> known) =>
-        known.TryGetValue(material, out MaterialDescription? done) ? done : known[material] = material switch
-        {
-            InvisibleMaterialDescription boundary => boundary with { Interior = medium },
-            GlassDescription glass => glass with { Interior = medium },
-            ThinDielectricMaterialDescription pane => pane with { Interior = medium },
-            PrincipledMaterialDescription principled => principled with { Interior = medium },
-            MaskMaterialDescription mask => mask with { Interior = medium },
-            NormalMapMaterialDescription map => Filled(map.Material, medium, known) is { } inner ? map with { Material = inner } : null,
-            BumpMapMaterialDescription map => Filled(map.Material, medium, known) is { } inner ? map with { Material = inner } : null,
-            MixMaterialDescription mix => FilledMix(mix, Filled(mix.First, medium, known), Filled(mix.Second, medium, known)),
-            _ => null,
-        };
-
-    private static MixMaterialDescription? FilledMix(MixMaterialDescription mix, MaterialDescription? first, MaterialDescription? second) =>
-        (first ?? second) is null ? null : mix with { First = first ?? mix.First, Second = second ?? mix.Second };
 
     private static float Anisotropy(MitsubaObject phase)
     {

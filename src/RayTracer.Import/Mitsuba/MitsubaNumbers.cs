@@ -12,11 +12,11 @@ internal static class MitsubaNumbers
     public static string[] Words(string text) => text.Split([' ', ',', ';', '\t', '\r', '\n'], StringSplitOptions.RemoveEmptyEntries);
 
     /// <summary>A number; null, after an error, where it is none.</summary>
-    public static float? Float(MitsubaElement element, string attribute, MitsubaLog log) =>
+    public static float? Float(MitsubaElement element, string attribute, ImportLog log) =>
         element.Attribute(attribute) is { } text ? Float(text, element.PlaceOf(attribute), log) : Missing<float>(element, attribute, log);
 
     /// <summary>A number; null, after an error, where the word is none.</summary>
-    public static float? Float(string word, SourcePlace place, MitsubaLog log)
+    public static float? Float(string word, SourcePlace place, ImportLog log)
     {
         if (!float.TryParse(word, NumberStyles.Float, CultureInfo.InvariantCulture, out float value) || !float.IsFinite(value))
         {
@@ -27,7 +27,7 @@ internal static class MitsubaNumbers
     }
 
     /// <summary>A whole number; null, after an error, where it is none.</summary>
-    public static int? Integer(MitsubaElement element, string attribute, MitsubaLog log)
+    public static int? Integer(MitsubaElement element, string attribute, ImportLog log)
     {
         if (element.Attribute(attribute) is not { } text)
         {
@@ -43,7 +43,7 @@ internal static class MitsubaNumbers
     }
 
     /// <summary>The numbers of a list; null, after an error, where there are too many or too few, or one is none.</summary>
-    public static float[]? Floats(MitsubaElement element, string attribute, MitsubaLog log, params ReadOnlySpan<int> counts)
+    public static float[]? Floats(MitsubaElement element, string attribute, ImportLog log, params ReadOnlySpan<int> counts)
     {
         if (element.Attribute(attribute) is not { } text)
         {
@@ -65,7 +65,7 @@ internal static class MitsubaNumbers
     /// <param name="element">The element.</param>
     /// <param name="standard">The value of coordinates that are not given.</param>
     /// <param name="log">Takes what is wrong.</param>
-    public static Vector3? Vector(MitsubaElement element, float standard, MitsubaLog log)
+    public static Vector3? Vector(MitsubaElement element, float standard, ImportLog log)
     {
         if (element.Attributes.ContainsKey("value"))
         {
@@ -95,7 +95,7 @@ internal static class MitsubaNumbers
         return vector;
     }
 
-    private static T? Missing<T>(MitsubaElement element, string attribute, MitsubaLog log)
+    private static T? Missing<T>(MitsubaElement element, string attribute, ImportLog log)
         where T : struct
     {
         return log.Fail<T?>(element.Place, $"<{element.Name}> needs the attribute {Quotation.Of(attribute)}");

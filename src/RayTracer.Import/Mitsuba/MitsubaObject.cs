@@ -13,7 +13,7 @@ namespace RayTracer.Import;
 /// <param name="element">Its element.</param>
 /// <param name="files">The folders in which files that it names are looked for.</param>
 /// <param name="log">Takes what is wrong.</param>
-internal sealed class MitsubaObject(MitsubaElement element, MitsubaFiles files, MitsubaLog log)
+internal sealed class MitsubaObject(MitsubaElement element, MitsubaFiles files, ImportLog log)
 {
     private readonly Dictionary<string, MitsubaElement> _properties = new(StringComparer.Ordinal);
     private readonly List<MitsubaChild> _children = [];
@@ -37,7 +37,7 @@ internal sealed class MitsubaObject(MitsubaElement element, MitsubaFiles files, 
     public SourcePlace TypePlace => element.PlaceOf("type");
 
     /// <summary>Takes what is wrong with it.</summary>
-    public MitsubaLog Log => log;
+    public ImportLog Log => log;
 
     /// <summary>True where something was asked of it that is referred to and is not there, which has been said.</summary>
     public bool LacksSomething { get; private set; }
@@ -224,7 +224,7 @@ internal sealed class MitsubaObject(MitsubaElement element, MitsubaFiles files, 
         _isFinished = true;
         foreach ((string name, MitsubaElement property) in _properties.Where(p => !_asked.Contains(p.Key)))
         {
-            string hint = MitsubaLog.Hint(name, [.. _asked.Where(a => a.Length > 0).Order(StringComparer.Ordinal)]);
+            string hint = ImportLog.Hint(name, [.. _asked.Where(a => a.Length > 0).Order(StringComparer.Ordinal)]);
             log.Unsupported(property.PlaceOf("name"), $"{Describe()} has no property {Quotation.Of(name)} here{hint}", "it is ignored");
         }
 
@@ -242,7 +242,7 @@ internal sealed class MitsubaObject(MitsubaElement element, MitsubaFiles files, 
     public void UnknownType(string kinds, params string[] known)
     {
         string message = $"{kinds} of type {Quotation.Of(Type)} are not supported";
-        string end = MitsubaPlugins.ReasonOf(this) is { } reason ? $": {reason}" : MitsubaLog.Hint(Type, known);
+        string end = MitsubaPlugins.ReasonOf(this) is { } reason ? $": {reason}" : ImportLog.Hint(Type, known);
         log.Unsupported(TypePlace, message + end, MitsubaPlugins.StandInOf(Kind));
 
         // Its properties say nothing to a stand-in.

@@ -4,12 +4,12 @@ using RayTracer.Scenes;
 namespace RayTracer.Import;
 
 /// <summary>The parameters of a scene (<c>default</c>), whose values stand for <c>$name</c> in attributes.</summary>
-internal sealed class MitsubaParameters(MitsubaLog log)
+internal sealed class MitsubaParameters(ImportLog log)
 {
     // With values that name parameters, a few lines could make a text without end.
     private const int LongestValue = 1 << 20;
 
-    private readonly SortedDictionary<string, string> _values = new(MitsubaSettings.Parameters.ToDictionary(), Comparer<string>.Create(LongestFirst));
+    private readonly SortedDictionary<string, string> _values = new(ImportSettings.Parameters.ToDictionary(), Comparer<string>.Create(LongestFirst));
     private readonly HashSet<string> _used = new(StringComparer.Ordinal);
 
     /// <summary>Gives a parameter a value, unless it has one.</summary>
@@ -19,7 +19,7 @@ internal sealed class MitsubaParameters(MitsubaLog log)
     /// <param name="scene">The place of the scene.</param>
     public void Finish(SourcePlace scene)
     {
-        foreach (string name in MitsubaSettings.Parameters.Keys.Where(n => !_used.Contains(n)))
+        foreach (string name in ImportSettings.Parameters.Keys.Where(n => !_used.Contains(n)))
         {
             log.Error(scene, $"the parameter {Quotation.Of(name)} is given a value, but ${name} stands nowhere{Spelling.DidYouMean(name, [.. _used, .. _values.Keys.Where(k => k != name)])}");
         }

@@ -12,7 +12,7 @@ public static class MitsubaReader
     /// <param name="path">The file's path, by which diagnostics call it too.</param>
     public static SceneReadResult Read(string path)
     {
-        MitsubaReading reading = new();
+        ImportReading reading = new();
         MitsubaObject? root = MitsubaDocument.Read(path, reading.Log);
         return new(new SourceText(path, ""), null, root is null ? null : new MitsubaScene(reading).Read(root), reading.Map, reading.Log.Diagnostics);
     }

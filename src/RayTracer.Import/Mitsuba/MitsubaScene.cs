@@ -6,13 +6,13 @@ namespace RayTracer.Import;
 /// <summary>Makes a scene of the things in a file.</summary>
 internal sealed class MitsubaScene
 {
-    private readonly MitsubaReading _reading;
+    private readonly ImportReading _reading;
     private readonly MitsubaTextures _textures;
     private readonly MitsubaBsdfs _bsdfs;
     private readonly MitsubaEmitters _emitters;
     private readonly MitsubaShapes _shapes;
 
-    public MitsubaScene(MitsubaReading reading)
+    public MitsubaScene(ImportReading reading)
     {
         _reading = reading;
         _textures = new(reading);
@@ -74,23 +74,5 @@ internal sealed class MitsubaScene
 
         scene = around.Length > 0 ? _emitters.Environment(around[0], scene) : scene;
         return scene with { Lights = [.. all.Except(around).Select(_emitters.Punctual).OfType<ShapeDescription>()] };
-    }
-}
-
-/// <summary>The state shared by all readers of an XML scene: where diagnostics go, and where each record was read.</summary>
-internal sealed class MitsubaReading
-{
-    /// <summary>Takes what is wrong.</summary>
-    public MitsubaLog Log { get; } = new();
-
-    /// <summary>The place of each record.</summary>
-    public SourceMap Map { get; } = new();
-
-    /// <summary>Remembers where a record was read.</summary>
-    public T At<T>(SourcePlace place, T record)
-        where T : class
-    {
-        Map.Add(record, place);
-        return record;
     }
 }

@@ -6,7 +6,7 @@ using RayTracer.Numerics;
 namespace RayTracer.Import;
 
 /// <summary>Makes cameras, and sizes and samples of pictures.</summary>
-internal sealed class MitsubaSensors(MitsubaReading reading)
+internal sealed class MitsubaSensors(ImportReading reading)
 {
     private static readonly Dictionary<string, FieldOfViewAxis> s_axes = new()
     {

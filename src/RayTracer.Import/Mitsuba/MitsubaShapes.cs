@@ -6,7 +6,7 @@ using RayTracer.Shapes;
 namespace RayTracer.Import;
 
 /// <summary>Makes shapes: which they are, what they are made of, and whether they shine.</summary>
-internal sealed class MitsubaShapes(MitsubaReading reading, MitsubaTextures textures, MitsubaBsdfs bsdfs, MitsubaEmitters emitters)
+internal sealed class MitsubaShapes(ImportReading reading, MitsubaTextures textures, MitsubaBsdfs bsdfs, MitsubaEmitters emitters)
 {
     private static readonly string[] s_types =
         ["rectangle", "sphere", "disk", "cylinder", "cube", "obj", "ply", "serialized", "shapegroup", "instance", "merge"];
@@ -64,7 +64,7 @@ internal sealed class MitsubaShapes(MitsubaReading reading, MitsubaTextures text
 
         ShapeDescription? of = Group(group);
         group.Finish();
-        return new() { Of = of, Transform = MitsubaSurfaces.Steps(place) };
+        return new() { Of = of, Transform = MatrixSteps.Of(place) };
     }
 
     private ShapeDescription? Surface(MitsubaObject shape)
@@ -72,7 +72,7 @@ internal sealed class MitsubaShapes(MitsubaReading reading, MitsubaTextures text
         if (!s_types.Contains(shape.Type))
         {
             shape.UnknownType("shapes", s_types);
-            return shape.Log.IsLenient ? new SphereDescription { Radius = 1, Material = MitsubaBsdfs.Magenta, Transform = MitsubaSurfaces.Steps(shape.Transform()) } : null;
+            return shape.Log.IsLenient ? new SphereDescription { Radius = 1, Material = MitsubaBsdfs.Magenta, Transform = MatrixSteps.Of(shape.Transform()) } : null;
         }
 
         MaterialDescription material = Material(shape);
@@ -115,7 +115,7 @@ internal static class MitsubaMeshes
             IgnoreColors = attributes.Length == 0,
             ColorAttribute = attributes is [not "vertex_color" and var name, ..] && shape.Type == "ply" ? name : "",
             Material = material,
-            Transform = MitsubaSurfaces.Steps(place),
+            Transform = MatrixSteps.Of(place),
         };
         return mesh.File.Length > 0 ? mesh : null;
     }

@@ -28,15 +28,6 @@ internal static class MitsubaSurfaces
         };
     }
 
-    /// <summary>The steps of a transform: none, or one matrix.</summary>
-    public static IReadOnlyList<TransformDescription> Steps(in Transform place) => place.IsIdentity ? [] : [new TransformDescription { Matrix = Matrix(place) }];
-
-    private static float[] Matrix(in Transform m)
-    {
-        IEnumerable<double> numbers = new[] { m.X, m.Y, m.Z }.SelectMany(r => new[] { r.A, r.B, r.C, r.D });
-        return [.. numbers.Select(n => (float)n)];
-    }
-
     // From −1 to 1 in x and y, with the front to +z. A map that mirrors turns the order of the corners, but not the front.
     private static ShapeDescription Rectangle(in Transform place, bool isTurned, MaterialDescription material)
     {
@@ -68,10 +59,10 @@ internal static class MitsubaSurfaces
         {
             return IsAlongAxes(place)
                 ? new BoxDescription { A = place.Point(-Vector3.One), B = place.Point(Vector3.One), Material = material }
-                : new BoxDescription { A = -Vector3.One, Material = material, Transform = Steps(place) };
+                : new BoxDescription { A = -Vector3.One, Material = material, Transform = MatrixSteps.Of(place) };
         }
 
-        return CubeMesh.Create(needsUv) with { FlipNormals = isTurned, Material = material, Transform = Steps(place) };
+        return CubeMesh.Create(needsUv) with { FlipNormals = isTurned, Material = material, Transform = MatrixSteps.Of(place) };
     }
 
     private static bool IsAlongAxes(in Transform place) => new[] { place.X, place.Y, place.Z }.All(r => new[] { r.A, r.B, r.C }.Count(n => n != 0) == 1);
@@ -89,7 +80,7 @@ internal static class MitsubaSurfaces
             return new DiskDescription { Center = place.Point(Vector3.Zero), Normal = normal, Radius = (float)scale, Material = material };
         }
 
-        return new DiskDescription { Normal = isTurned ? -Vector3.UnitZ : Vector3.UnitZ, Material = material, Transform = Steps(place) };
+        return new DiskDescription { Normal = isTurned ? -Vector3.UnitZ : Vector3.UnitZ, Material = material, Transform = MatrixSteps.Of(place) };
     }
 
     private static TextureDescription Polar(TextureDescription texture, bool isTurned)
@@ -107,10 +98,10 @@ internal static class MitsubaSurfaces
             return shape.Log.Fail<SphereDescription>(shape.PlaceOf("to_world"), "a sphere that is scaled differently along its axes, or sheared, is not supported");
         }
 
-        material = isTurned ? MitsubaFlips.Turned(shape, material) : material;
+        material = isTurned ? TurnedMaterials.Turned(shape, material) : material;
 
         return needsUv
-            ? new() { Radius = radius, Material = material, Transform = Steps(place * Transform.Translation(center) * s_sphere) }
+            ? new() { Radius = radius, Material = material, Transform = MatrixSteps.Of(place * Transform.Translation(center) * s_sphere) }
             : new() { Center = place.Point(center), Radius = (float)(radius * scale), Material = material };
     }
 
@@ -120,7 +111,7 @@ internal static class MitsubaSurfaces
         Vector3 bottom = shape.Vector("p0") ?? Vector3.Zero;
         Vector3 top = shape.Vector("p1") ?? Vector3.UnitZ;
         float radius = shape.Float("radius", 1);
-        material = isTurned ? MitsubaFlips.Turned(shape, material) : material;
+        material = isTurned ? TurnedMaterials.Turned(shape, material) : material;
 
         if (!needsUv && place.UniformScale() is { } scale)
         {
@@ -135,7 +126,7 @@ internal static class MitsubaSurfaces
             Radius = radius,
             Caps = false,
             Material = material,
-            Transform = Steps(place * upright),
+            Transform = MatrixSteps.Of(place * upright),
         };
     }
 

@@ -7,7 +7,7 @@ using RayTracer.Textures;
 namespace RayTracer.Import;
 
 /// <summary>Makes textures. Our uv are theirs; pictures, whose first row they have at v = 0, are turned over.</summary>
-internal sealed class MitsubaTextures(MitsubaReading reading)
+internal sealed class MitsubaTextures(ImportReading reading)
 {
     private static readonly Dictionary<string, Interpolation> s_filters = new() { ["nearest"] = Interpolation.Nearest, ["bilinear"] = Interpolation.Bilinear };
 
@@ -27,7 +27,7 @@ internal sealed class MitsubaTextures(MitsubaReading reading)
     /// <param name="standard">The value where none is given.</param>
     /// <param name="isLight">True where it is of light, and not of what reflects it.</param>
     public TextureDescription Read(MitsubaObject thing, string name, Rgb standard, bool isLight = false) =>
-        thing.Child("texture", name) is { } texture ? Read(texture) : Solid(MitsubaColors.Read(thing, name, standard, isLight, isLight ? float.PositiveInfinity : 1));
+        thing.Child("texture", name) is { } texture ? Read(texture) : MaterialTextures.Solid(MitsubaColors.Read(thing, name, standard, isLight, isLight ? float.PositiveInfinity : 1));
 
     /// <summary>A number that may vary over a surface.</summary>
     /// <param name="thing">The thing that has it.</param>
@@ -37,7 +37,7 @@ internal sealed class MitsubaTextures(MitsubaReading reading)
     public TextureDescription Read(MitsubaObject thing, string name, float standard, float maximum = 1) =>
         thing.Child("texture", name) is { } texture
             ? Number(texture)
-            : Solid(MitsubaColors.Read(thing, name, new Rgb(standard, standard, standard), maximum: maximum));
+            : MaterialTextures.Solid(MitsubaColors.Read(thing, name, new Rgb(standard, standard, standard), maximum: maximum));
 
     /// <summary>The texture that a thing is.</summary>
     public TextureDescription Read(MitsubaObject texture)
@@ -77,9 +77,6 @@ internal sealed class MitsubaTextures(MitsubaReading reading)
         return number;
     }
 
-    /// <summary>The same colour everywhere.</summary>
-    public static TextureDescription Solid(Rgb color) => new SolidTextureDescription { Color = color };
-
     private TextureDescription Make(MitsubaObject texture) => texture.Type switch
     {
         "bitmap" => Bitmap(texture),
@@ -92,7 +89,7 @@ internal sealed class MitsubaTextures(MitsubaReading reading)
     private static TextureDescription Unknown(MitsubaObject texture)
     {
         texture.UnknownType("textures", "bitmap", "checkerboard", "mesh_attribute", "rawconstant");
-        return Solid(texture.Log.IsLenient ? new(1, 0, 1) : new(0.5f, 0.5f, 0.5f));
+        return MaterialTextures.Solid(texture.Log.IsLenient ? new Rgb(1, 0, 1) : new Rgb(0.5f, 0.5f, 0.5f));
     }
 
     // Numbers that are no colours, whatever they are used for.
@@ -101,17 +98,17 @@ internal sealed class MitsubaTextures(MitsubaReading reading)
         if (texture.Property("value") is not { } value)
         {
             texture.Log.Error(texture.Place, $"{texture.Describe()} needs a \"value\"");
-            return Solid(Rgb.Black);
+            return MaterialTextures.Solid(Rgb.Black);
         }
 
         if (value.Name is "float" or "integer")
         {
             float number = texture.Float("value", 0);
-            return Solid(new(number, number, number));
+            return MaterialTextures.Solid(new Rgb(number, number, number));
         }
 
         Vector3 numbers = texture.Vector("value") ?? Vector3.Zero;
-        return Solid(new(numbers.X, numbers.Y, numbers.Z));
+        return MaterialTextures.Solid(new Rgb(numbers.X, numbers.Y, numbers.Z));
     }
 
     private TextureDescription Bitmap(MitsubaObject texture)
@@ -121,7 +118,7 @@ internal sealed class MitsubaTextures(MitsubaReading reading)
         if (texture.FileName() is not { } file)
         {
             texture.Ignore("filter_type", "wrap_mode", "raw");
-            return Solid(new(0.5f, 0.5f, 0.5f));
+            return MaterialTextures.Solid(new Rgb(0.5f, 0.5f, 0.5f));
         }
 
         ImageTextureDescription image = new()
@@ -152,7 +149,7 @@ internal sealed class MitsubaTextures(MitsubaReading reading)
         float scale = texture.Float("scale", 1);
         VertexColorTextureDescription colors = new();
         _attributes.Add(colors, name ?? "vertex_color");
-        return scale == 1 ? colors : new ProductTextureDescription { First = colors, Second = Solid(new(scale, scale, scale)) };
+        return scale == 1 ? colors : new ProductTextureDescription { First = colors, Second = MaterialTextures.Solid(new Rgb(scale, scale, scale)) };
     }
 
     // Fields of half a unit.

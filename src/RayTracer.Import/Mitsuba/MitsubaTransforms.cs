@@ -7,7 +7,7 @@ namespace RayTracer.Import;
 internal static class MitsubaTransforms
 {
     /// <summary>The map of an element's steps; the identity after an error.</summary>
-    public static Transform Read(MitsubaElement element, MitsubaLog log)
+    public static Transform Read(MitsubaElement element, ImportLog log)
     {
         Transform all = Transform.Identity;
         foreach (MitsubaElement step in element.Children)
@@ -29,7 +29,7 @@ internal static class MitsubaTransforms
         return all;
     }
 
-    private static Transform? Step(MitsubaElement step, MitsubaLog log) => step.Name switch
+    private static Transform? Step(MitsubaElement step, ImportLog log) => step.Name switch
     {
         "translate" => MitsubaNumbers.Vector(step, 0, log) is { } by ? Transform.Translation(by) : null,
         "scale" => MitsubaNumbers.Vector(step, 1, log) is { } factors ? Transform.Scaling(factors) : null,
@@ -39,7 +39,7 @@ internal static class MitsubaTransforms
         _ => log.Unknown<Transform?>(step.Place, $"<{step.Name}> is not a transform step", step.Name, "translate", "scale", "rotate", "lookat", "matrix"),
     };
 
-    private static Transform? Rotation(MitsubaElement step, MitsubaLog log)
+    private static Transform? Rotation(MitsubaElement step, ImportLog log)
     {
         if (MitsubaNumbers.Float(step, "angle", log) is not { } angle || MitsubaNumbers.Vector(step, 0, log) is not { } axis)
         {
@@ -60,7 +60,7 @@ internal static class MitsubaTransforms
     }
 
     // Columns: to the left of the picture, up, forward, and the origin.
-    private static Transform? LookAt(MitsubaElement step, MitsubaLog log)
+    private static Transform? LookAt(MitsubaElement step, ImportLog log)
     {
         float[]? origin = MitsubaNumbers.Floats(step, "origin", log, 3);
         float[]? target = MitsubaNumbers.Floats(step, "target", log, 3);
@@ -89,7 +89,7 @@ internal static class MitsubaTransforms
             new(left.X, top.X, forward.X, eye.X), new(left.Y, top.Y, forward.Y, eye.Y), new(left.Z, top.Z, forward.Z, eye.Z));
     }
 
-    private static Transform? Matrix(MitsubaElement step, MitsubaLog log)
+    private static Transform? Matrix(MitsubaElement step, ImportLog log)
     {
         if (MitsubaNumbers.Floats(step, "value", log, 9, 16) is not { } m)
         {

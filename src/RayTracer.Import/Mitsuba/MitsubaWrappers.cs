@@ -6,7 +6,7 @@ using RayTracer.Textures;
 namespace RayTracer.Import;
 
 /// <summary>Makes embossed surfaces, and the material of many parameters.</summary>
-internal sealed class MitsubaWrappers(MitsubaReading reading, MitsubaTextures textures)
+internal sealed class MitsubaWrappers(ImportReading reading, MitsubaTextures textures)
 {
     private static readonly Rgb s_half = new(0.5f, 0.5f, 0.5f);
 
@@ -79,10 +79,10 @@ internal sealed class MitsubaWrappers(MitsubaReading reading, MitsubaTextures te
         TextureDescription gloss = textures.Read(bsdf, "clearcoat_gloss", 0f);
         if (gloss is SolidTextureDescription { Color.R: var value })
         {
-            return MitsubaTextures.Solid(new(1 - value, 1 - value, 1 - value));
+            return MaterialTextures.Solid(new Rgb(1 - value, 1 - value, 1 - value));
         }
 
         reading.Log.Unsupported(bsdf.PlaceOf("clearcoat_gloss"), "\"clearcoat_gloss\" must be one number here", "a sharp coat is used instead");
-        return MitsubaTextures.Solid(Rgb.Black);
+        return MaterialTextures.Solid(Rgb.Black);
     }
 }

@@ -14,7 +14,7 @@ internal static class MitsubaXml
     /// <param name="path">The file's path, by which diagnostics call it too.</param>
     /// <param name="log">Takes what is wrong.</param>
     /// <returns>The outermost element; null where there is something wrong with the XML.</returns>
-    public static MitsubaElement? Read(string path, MitsubaLog log)
+    public static MitsubaElement? Read(string path, ImportLog log)
     {
         SourcePlace file = new(path, 0, 0);
         try
@@ -57,7 +57,7 @@ internal static class MitsubaXml
         return null;
     }
 
-    private static MitsubaElement? ReadRoot(XmlReader reader, string path, MitsubaLog log)
+    private static MitsubaElement? ReadRoot(XmlReader reader, string path, ImportLog log)
     {
         MitsubaElement? root = null;
         Stack<MitsubaElement> open = [];

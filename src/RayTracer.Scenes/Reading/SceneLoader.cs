@@ -189,7 +189,7 @@ public sealed record SceneLoadResult(Scene? Scene, SceneDescription? Description
     public Func<SceneComplaint, Diagnostic> Locate { get; init; } = c => new("", 0, 0, c.IsError ? Severity.Error : Severity.Warning, c.Message);
 }
 
-/// <summary>A format of scene files other than the native one; RayTracer.Import registers Mitsuba's.</summary>
+/// <summary>A format of scene files other than the native one; RayTracer.Import registers those of Mitsuba and pbrt.</summary>
 /// <param name="Extension">The extension, with its dot; upper and lower case are the same.</param>
 /// <param name="Read">Reads the file of a path, by which diagnostics call it too.</param>
 public sealed record SceneFormat(string Extension, Func<string, SceneReadResult> Read)
@@ -216,5 +216,5 @@ public sealed record SceneFormat(string Extension, Func<string, SceneReadResult>
     }
 
     /// <summary>The format of a path; null where that is the native one, or a model's.</summary>
-    public static SceneFormat? Of(string path) => Formats.GetValueOrDefault(Path.GetExtension(path));
+    public static SceneFormat? Of(string path) => Formats.Values.FirstOrDefault(f => path.EndsWith(f.Extension, StringComparison.OrdinalIgnoreCase));
 }

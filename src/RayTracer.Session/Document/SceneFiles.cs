@@ -64,7 +64,7 @@ public sealed class SceneFiles
     }
 
     /// <summary>
-    /// Opens a scene file, a scene of Mitsuba or a model file as a new scene that shows it, or a bundle; of a film or an image of the
+    /// Opens a scene file, a scene of Mitsuba or pbrt or a model file as a new scene that shows it, or a bundle; of a film or an image of the
     /// program the scene that it was rendered from, as it was rendered. A film is resumed.
     /// </summary>
     /// <param name="path">The file's whole path.</param>
@@ -198,9 +198,9 @@ public sealed class SceneFiles
             return;
         }
 
-        if (SceneFormat.Of(path) is not null)
+        if (SceneFormat.Of(path) is { } format)
         {
-            Show(SceneTextFile.ReadMitsuba(path), new(Path.GetFileNameWithoutExtension(path) + ".json", null, folder), isSaved: true);
+            Show(SceneTextFile.ReadForeign(format, path), new(Path.GetFileNameWithoutExtension(path) + ".json", null, folder), isSaved: true);
             return;
         }
 

@@ -73,11 +73,11 @@ internal static class SceneTextFile
         }
     });
 
-    /// <summary>Makes a scene's text of one in Mitsuba's format, with its warnings as comments at the head.</summary>
+    /// <summary>Makes a scene's text of one in another program's format, with its warnings as comments at the head.</summary>
     /// <exception cref="SessionException">There is something wrong with it.</exception>
-    public static string ReadMitsuba(string path)
+    public static string ReadForeign(SceneFormat format, string path)
     {
-        SceneReadResult read = MitsubaReader.Read(path);
+        SceneReadResult read = format.Read(path);
         return read.Description is { } scene
             ? string.Concat(read.Diagnostics.Select(d => $"// {(d with { File = Path.GetFileName(d.File) }).ToString().ReplaceLineEndings(" ")}\n")) + SceneWriter.Write(scene)
             : throw new SessionException($"{Path.GetFileName(path)} cannot be opened: {read.Diagnostics.First(d => d.Severity == Severity.Error)}");

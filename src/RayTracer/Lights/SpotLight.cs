@@ -37,8 +37,8 @@ public sealed record SpotLightDescription : PunctualLightDescription
     public float? BeamWidth { get; init; }
 
     /// <summary>The falloff between the two.</summary>
-    [Parameter("How the light falls off from the edge of the beam to that of the cone: in proportion to the angle, or, as glTF's spot "
-        + "lights do, by the square of a number that falls with the angle's cosine.")]
+    [Parameter("How the light falls off from the edge of the beam to that of the cone: in proportion to the angle; as glTF's spot "
+        + "lights do, by the square of a number that falls with the angle's cosine; or, as pbrt's do, by a smooth step of that number.")]
     public SpotFalloff Falloff { get; init; }
 
     /// <inheritdoc/>
@@ -76,6 +76,7 @@ internal sealed class SpotLight : PunctualLight
     private const float Radians = float.Pi / 180;
     private readonly Rgb _intensity;
     private readonly bool _isSmooth;
+    private readonly bool _isStep;
 
     // Of the sphere of directions, that within the angle halfway down.
     private readonly float _share;
@@ -102,7 +103,8 @@ internal sealed class SpotLight : PunctualLight
         : base(position, direction.Unit(), motion)
     {
         _intensity = intensity;
-        _isSmooth = falloff == SpotFalloff.Smooth;
+        _isSmooth = falloff != SpotFalloff.Linear;
+        _isStep = falloff == SpotFalloff.Smoothstep;
         LaneMath.SinCos(0.25f * (cutoffAngle + beamWidth) * Radians, out float half, out _);
         _share = half * half;
         _end = cutoffAngle * Radians;
@@ -187,7 +189,7 @@ internal sealed class SpotLight : PunctualLight
         if (_isSmooth)
         {
             FloatW part = FloatW.Max(FloatW.Min((cosine - _end) * _slope, 1f), 0f);
-            return part * part;
+            return _isStep ? part * part * FloatW.NegatedMultiplyAdd(part, 2f, 3f) : part * part;
         }
 
         // By both sine and cosine: near the axis, the cosine alone would round narrow beams to steps.
@@ -205,4 +207,7 @@ public enum SpotFalloff
 
     /// <summary>As the square of a number that falls in proportion to the angle's cosine (glTF's KHR_lights_punctual).</summary>
     Smooth,
+
+    /// <summary>As 3t² − 2t³ of a number t that falls in proportion to the angle's cosine (pbrt's spot lights).</summary>
+    Smoothstep,
 }

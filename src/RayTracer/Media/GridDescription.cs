@@ -36,15 +36,19 @@ public sealed record GridDescription
 {
     /// <summary>The file.</summary>
     [Parameter("The grid's file: Mitsuba's .vol, NanoVDB's .nvdb (grids of floats, uncompressed or ZIP), or nothing but numbers (any other extension; then size is "
-        + "needed).", IsFile = true, Required = true)]
+        + "needed). Either a file or values are needed.", IsFile = true)]
     public string File { get; init; } = "";
+
+    /// <summary>The numbers themselves; empty where a file has them.</summary>
+    [Parameter("The numbers of the grid, in place of a file; together with size. Those along x come first, then y, then z.", Minimum = 0)]
+    public IReadOnlyList<float> Values { get; init; } = [];
 
     /// <summary>The name of the grid within the file; empty for the first.</summary>
     [Parameter("The name of the grid, of a .nvdb file that has several. Without it, the first one of floats.")]
     public string Name { get; init; } = "";
 
-    /// <summary>The points along x, y and z of a file without a header; empty for others.</summary>
-    [Parameter("For a file of nothing but numbers: how many points it has along x, y and z; those along x come first, then y, then z. A fourth number, 3, says that each has red, "
+    /// <summary>The points along x, y and z of values, or of a file without a header; empty for others.</summary>
+    [Parameter("For values, or a file of nothing but numbers: how many points it has along x, y and z; those along x come first, then y, then z. A fourth number, 3, says that each has red, "
         + "green and blue.")]
     public IReadOnlyList<int> Size { get; init; } = [];
 
@@ -71,9 +75,30 @@ public sealed record GridDescription
 
     /// <summary>The grid in its place; null after an error.</summary>
     internal PlacedGrid? Build(SceneBuilder builder) =>
-        builder.Grid(this, nameof(File), this) is { } grid && GridBox.Place(this, Box, Transform, grid.Place, builder) is { } place
+        Numbered(builder) is { } grid && GridBox.Place(this, Box, Transform, grid.Place, builder) is { } place
             ? new(grid, place, Interpolation, Wrapping)
             : null;
+
+    private VolumeGrid? Numbered(SceneBuilder builder)
+    {
+        if (Values.Count == 0)
+        {
+            return builder.Grid(this, nameof(File), this);
+        }
+
+        string? complaint = File.Length > 0 ? "a grid has either a file or values, not both"
+            : Size.Count is not (3 or 4) ? "values need \"size\", their points along x, y and z" : VolumeGrid.SizeComplaint(Size[0], Size[1], Size[2], Channels)
+            ?? (Values.Count != (long)Size[0] * Size[1] * Size[2] * Channels ? $"{string.Join('×', Size)} numbers are needed, but there are {Values.Count}" : null);
+        if (complaint is not null)
+        {
+            builder.Error(this, nameof(Values), complaint);
+            return null;
+        }
+
+        return new(Size[0], Size[1], Size[2], Channels, [.. Values]);
+    }
+
+    private int Channels => Size.Count == 4 ? Size[3] : 1;
 }
 
 /// <summary>The boxes that grids fill.</summary>

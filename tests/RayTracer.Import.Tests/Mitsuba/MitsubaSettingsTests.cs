@@ -8,12 +8,12 @@ namespace RayTracer.Import.Tests;
 /// <summary>Scenes that are read with parameters from outside, or leniently.</summary>
 public sealed class MitsubaSettingsTests : IDisposable
 {
-    public void Dispose() => (MitsubaSettings.IsLenient, MitsubaSettings.Parameters) = (false, new Dictionary<string, string>());
+    public void Dispose() => (ImportSettings.IsLenient, ImportSettings.Parameters) = (false, new Dictionary<string, string>());
 
     [Fact]
     public void Parameters_from_outside_come_before_those_of_the_scene()
     {
-        MitsubaSettings.Parameters = new Dictionary<string, string> { ["r"] = "3", ["free"] = "0.5" };
+        ImportSettings.Parameters = new Dictionary<string, string> { ["r"] = "3", ["free"] = "0.5" };
         SphereDescription sphere = Assert.IsType<SphereDescription>(Assert.Single(TestScene.Of("""
             <default name="r" value="2"/><shape type="sphere"><float name="radius" value="$r"/><point name="center" x="$free"/></shape>
             """).Shapes));
@@ -23,7 +23,7 @@ public sealed class MitsubaSettingsTests : IDisposable
     [Fact]
     public void Parameters_that_stand_nowhere_are_errors()
     {
-        MitsubaSettings.Parameters = new Dictionary<string, string> { ["radios"] = "3" };
+        ImportSettings.Parameters = new Dictionary<string, string> { ["radios"] = "3" };
         Assert.Equal(
             "the parameter \"radios\" is given a value, but $radios stands nowhere (did you mean \"radius\"?)",
             TestScene.Complaint("""<default name="radius" value="2"/><shape type="sphere"><float name="radius" value="$radius"/></shape>"""));
@@ -44,7 +44,7 @@ public sealed class MitsubaSettingsTests : IDisposable
         using TestScene scene = new();
         string path = scene.Write("scene.xml", things);
         Assert.Contains(MitsubaReader.Read(path).Diagnostics, d => d.Severity == Severity.Error);
-        MitsubaSettings.IsLenient = true;
+        ImportSettings.IsLenient = true;
         Diagnostic warning = Assert.Single(MitsubaReader.Read(path).Diagnostics);
         Assert.Equal(Severity.Warning, warning.Severity);
         Assert.EndsWith($"; {standIn}", warning.Message, StringComparison.Ordinal);
@@ -53,7 +53,7 @@ public sealed class MitsubaSettingsTests : IDisposable
     [Fact]
     public void Stand_ins_are_magenta_and_where_they_stand_for()
     {
-        MitsubaSettings.IsLenient = true;
+        ImportSettings.IsLenient = true;
         using TestScene scene = new();
         SceneDescription read = MitsubaReader.Read(scene.Write("scene.xml", """
             <shape type="sdfgrid"><transform name="to_world"><translate x="3"/></transform></shape>
@@ -66,7 +66,7 @@ public sealed class MitsubaSettingsTests : IDisposable
     [Fact]
     public void What_is_wrong_stays_an_error_where_scenes_are_read_leniently()
     {
-        MitsubaSettings.IsLenient = true;
+        ImportSettings.IsLenient = true;
         using TestScene scene = new();
         Assert.Equal(Severity.Error, Assert.Single(MitsubaReader.Read(scene.Write("scene.xml", """<shape type="sphere"><float name="radius" value="x"/></shape>""")).Diagnostics).Severity);
     }

@@ -41,8 +41,8 @@ public class MitsubaTextureTests
             <texture type="rawconstant" id="three"><vector name="value" value="0.25, 0.5, 0.75"/></texture>
             <texture type="rawconstant" id="one"><float name="value" value="0.125"/></texture>
             """);
-        Assert.Equal(MitsubaTextures.Solid(new(0.25f, 0.5f, 0.75f)), scene.Textures["three"]);
-        Assert.Equal(MitsubaTextures.Solid(new(0.125f, 0.125f, 0.125f)), scene.Textures["one"]);
+        Assert.Equal(MaterialTextures.Solid(new Rgb(0.25f, 0.5f, 0.75f)), scene.Textures["three"]);
+        Assert.Equal(MaterialTextures.Solid(new Rgb(0.125f, 0.125f, 0.125f)), scene.Textures["one"]);
         Assert.Contains("needs a \"value\"", TestScene.Complaint("""<texture type="rawconstant"/>"""), StringComparison.Ordinal);
     }
 

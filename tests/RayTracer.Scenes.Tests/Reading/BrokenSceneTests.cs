@@ -7,7 +7,7 @@ public class BrokenSceneTests
     private static readonly string Folder = ProjectFolder.PathOf("scenes", "broken");
 
     public static TheoryData<string> Names => new(
-        new[] { "*.json", "*.xml" }.SelectMany(p => Directory.GetFiles(Folder, p)).Select(f => Path.GetFileName(f)).Order(StringComparer.Ordinal));
+        new[] { "*.json", "*.xml", "*.pbrt" }.SelectMany(p => Directory.GetFiles(Folder, p)).Select(f => Path.GetFileName(f)).Order(StringComparer.Ordinal));
 
     [Theory]
     [MemberData(nameof(Names))]

@@ -3,8 +3,8 @@ using RayTracer.Scenes;
 
 namespace RayTracer.Import;
 
-/// <summary>Collects what is wrong in a scene of XML files.</summary>
-internal sealed class MitsubaLog
+/// <summary>Collects what is wrong in a scene of another program.</summary>
+internal sealed class ImportLog
 {
     // Nobody reads more, and a hostile file could make millions.
     private const int Most = 2000;
@@ -32,8 +32,8 @@ internal sealed class MitsubaLog
         return default;
     }
 
-    /// <summary>True where what is not supported is a warning (<see cref="MitsubaSettings.IsLenient"/>).</summary>
-    public bool IsLenient { get; } = MitsubaSettings.IsLenient;
+    /// <summary>True where what is not supported is a warning (<see cref="ImportSettings.IsLenient"/>).</summary>
+    public bool IsLenient { get; } = ImportSettings.IsLenient;
 
     /// <summary>Takes what is not supported: an error, or a warning where something may stand in for it.</summary>
     /// <param name="place">The place.</param>

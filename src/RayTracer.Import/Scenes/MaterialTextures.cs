@@ -1,4 +1,5 @@
 using RayTracer.Description;
+using RayTracer.Numerics;
 using RayTracer.Textures;
 
 namespace RayTracer.Import;
@@ -6,6 +7,12 @@ namespace RayTracer.Import;
 /// <summary>The textures of materials, and of the materials within them.</summary>
 internal static class MaterialTextures
 {
+    /// <summary>The same colour everywhere.</summary>
+    public static TextureDescription Solid(Rgb color) => new SolidTextureDescription { Color = color };
+
+    /// <summary>The same number everywhere.</summary>
+    public static TextureDescription Solid(float number) => Solid(new Rgb(number, number, number));
+
     /// <summary>True where a material looks different where uv is, or turns with it.</summary>
     public static bool NeedUv(MaterialDescription material) =>
         Parts(material).Any(part => part is TextureDescription ? part is not SolidTextureDescription : TurnsWithUv(part));

@@ -1,7 +1,7 @@
 namespace RayTracer.Import;
 
-/// <summary>How scenes of Mitsuba are read, beside what they say themselves.</summary>
-public static class MitsubaSettings
+/// <summary>How scenes of other programs are read, beside what they say themselves.</summary>
+public static class ImportSettings
 {
     private static readonly IReadOnlyDictionary<string, string> s_none = new Dictionary<string, string>();
 
@@ -16,7 +16,7 @@ public static class MitsubaSettings
         set => s_isLenient.Value = value;
     }
 
-    /// <summary>Values of parameters (<c>$name</c>), which come before those that scenes give them.</summary>
+    /// <summary>Values of parameters of Mitsuba's scenes (<c>$name</c>), which come before those that scenes give them.</summary>
     public static IReadOnlyDictionary<string, string> Parameters
     {
         get => s_parameters.Value ?? s_none;

@@ -6,14 +6,14 @@ using RayTracer.Numerics;
 namespace RayTracer.Import;
 
 /// <summary>The materials of shapes that are turned inside out (<c>flip_normals</c>), on shapes that are not.</summary>
-internal static class MitsubaFlips
+internal static class TurnedMaterials
 {
     private static readonly MediumDescription s_nothing = new();
 
     /// <summary>The material that looks from outside as another one from inside; null where there is none: what shines, is embossed or holds a medium.</summary>
     public static MaterialDescription? Turned(MaterialDescription material) => material switch
     {
-        OneSidedMaterialDescription sided => new TwoSidedMaterialDescription { Front = new DiffuseMaterialDescription { Color = MitsubaTextures.Solid(Rgb.Black) }, Back = sided.Material },
+        OneSidedMaterialDescription sided => new TwoSidedMaterialDescription { Front = new DiffuseMaterialDescription { Color = MaterialTextures.Solid(Rgb.Black) }, Back = sided.Material },
         TwoSidedMaterialDescription { Back: { } back } sided => sided with { Front = back, Back = sided.Front },
         DielectricMaterialDescription glass when glass.Interior == s_nothing => glass with { RefractiveIndex = 1 / glass.RefractiveIndex },
         RoughDielectricMaterialDescription glass when glass.Interior == s_nothing => glass with { RefractiveIndex = 1 / glass.RefractiveIndex },

@@ -1,0 +1,141 @@
+using System.Numerics;
+using RayTracer.Description;
+using RayTracer.Materials;
+using RayTracer.Media;
+using RayTracer.Numerics;
+
+namespace RayTracer.Import;
+
+/// <summary>Fills shapes.</summary>
+internal sealed class PbrtMedia(ImportReading reading, PbrtWorld world)
+{
+    private static readonly string[] s_types = ["homogeneous", "uniformgrid", "nanovdb"];
+
+    private readonly Dictionary<PbrtThing, MediumDescription> _made = [];
+    private readonly HashSet<string> _used = [];
+
+    /// <summary>Reads all media, so that mistakes in those that fill nothing are found too; and says where the camera stands in one that fills nothing.</summary>
+    public void ReadAll()
+    {
+        foreach (PbrtThing medium in world.Media.Values)
+        {
+            Read(medium);
+        }
+
+        if (world.Only.GetValueOrDefault("camera") is { State.Outside: { Length: > 0 } around } camera && !_used.Contains(around))
+        {
+            reading.Log.Unsupported(camera.Place, $"the medium {Quotation.Of(around)} around the camera fills no shape: media without a boundary are not supported", "it is left out");
+        }
+    }
+
+    /// <summary>The material of a shape with what is inside; the material itself where nothing is.</summary>
+    public MaterialDescription Fill(PbrtThing shape, MaterialDescription material)
+    {
+        string inside = shape.State.Inside;
+        if (inside.Length == 0 || inside == shape.State.Outside)
+        {
+            return material;
+        }
+
+        if (!world.Media.TryGetValue(inside, out PbrtThing? medium))
+        {
+            reading.Log.Unknown(shape.Place, $"there is no medium {Quotation.Of(inside)}", inside, world.Media.Keys);
+            return material;
+        }
+
+        _used.Add(inside);
+        if (FilledMaterials.Fill(material, Read(medium)) is { } filled)
+        {
+            return filled;
+        }
+
+        if (material is not DiffuseMaterialDescription)
+        {
+            reading.Log.Warn(shape.Place, "a medium in a shape that lets no light in is invisible");
+        }
+
+        return material;
+    }
+
+    private MediumDescription Read(PbrtThing medium)
+    {
+        if (!_made.TryGetValue(medium, out MediumDescription? made))
+        {
+            made = Make(medium);
+            medium.Finish();
+            _made.Add(medium, made);
+        }
+
+        return made;
+    }
+
+    private static MediumDescription Make(PbrtThing medium)
+    {
+        if (!s_types.Contains(medium.Type))
+        {
+            medium.UnknownType(s_types);
+            return new();
+        }
+
+        medium.Refuse("Le", "media that shine are not supported", "it does not shine");
+        medium.Refuse("preset", "the named media of pbrt are not read: \"sigma_a\" and \"sigma_s\" say what they are");
+        medium.Ignore("Lescale", "temperaturecutoff", "temperaturescale", "temperatureoffset");
+        float scale = medium.Float("scale", 1, 0);
+        Rgb absorption = PbrtColors.Read(medium, "sigma_a", Rgb.White) * scale;
+        Rgb scattering = PbrtColors.Read(medium, "sigma_s", Rgb.White) * scale;
+        Rgb extinction = absorption + scattering;
+        return new()
+        {
+            Extinction = extinction,
+            Albedo = new(Part(scattering.R, extinction.R), Part(scattering.G, extinction.G), Part(scattering.B, extinction.B)),
+            Anisotropy = medium.Float("g", 0, -0.99f, 0.99f),
+            Density = medium.Type switch { "uniformgrid" => Grid(medium), "nanovdb" => File(medium), _ => null },
+        };
+    }
+
+    private static float Part(float scattering, float extinction) => extinction > 0 ? float.Min(scattering / extinction, 1) : 0;
+
+    private static GridDescription? File(PbrtThing medium)
+    {
+        if (medium.FileName() is not { } file)
+        {
+            return null;
+        }
+
+        return new() { File = file, Name = "density", Transform = MatrixSteps.Of(medium.State.Place) };
+    }
+
+    // Beyond the outermost points there is nothing, and in between it fades: a layer of points without density around the grid, as pbrt has it.
+    private static GridDescription? Grid(PbrtThing medium)
+    {
+        (int x, int y, int z) = (medium.Integer("nx", 1, 1), medium.Integer("ny", 1, 1), medium.Integer("nz", 1, 1));
+        IReadOnlyList<float> density = medium.Floats("density");
+        Vector3 first = medium.Vector("p0", "point3") ?? Vector3.Zero;
+        Vector3 last = medium.Vector("p1", "point3") ?? Vector3.One;
+        if (VolumeGrid.SizeComplaint(x + 2L, y + 2L, z + 2L, 1) is { } complaint)
+        {
+            return medium.Log.Fail<GridDescription>(medium.Place, complaint);
+        }
+
+        if (density.Count != (long)x * y * z)
+        {
+            return medium.Log.Fail<GridDescription>(medium.PlaceOf("density"), $"expected nx·ny·nz = {(long)x * y * z} numbers for \"density\", but found {density.Count}");
+        }
+
+        long count = (x + 2L) * (y + 2) * (z + 2);
+        if (SceneBudget.Open?.Take("the grid of densities", 4 * count, count) is { } tooMuch)
+        {
+            return medium.Log.Fail<GridDescription>(medium.PlaceOf("density"), tooMuch);
+        }
+
+        float[] padded = new float[count];
+        for (int i = 0; i < density.Count; i++)
+        {
+            (int row, int column) = (i / x, i % x);
+            padded[(((((long)(row / y) + 1) * (y + 2)) + (row % y) + 1) * (x + 2)) + column + 1] = density[i];
+        }
+
+        Vector3 cell = (last - first) / new Vector3(x, y, z);
+        return new() { Size = [x + 2, y + 2, z + 2], Values = padded, Box = [first - cell, last + cell], Transform = MatrixSteps.Of(medium.State.Place) };
+    }
+}

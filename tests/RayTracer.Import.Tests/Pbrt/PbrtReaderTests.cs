@@ -1,0 +1,264 @@
+using System.IO.Compression;
+using System.Numerics;
+using RayTracer.Description;
+using RayTracer.Lights;
+using RayTracer.Materials;
+using RayTracer.Media;
+using RayTracer.Numerics;
+using RayTracer.Rendering;
+using RayTracer.Scenes;
+using RayTracer.Shapes;
+using RayTracer.Textures;
+
+namespace RayTracer.Import.Tests;
+
+public sealed class PbrtReaderTests : IDisposable
+{
+    public void Dispose() => ImportSettings.IsLenient = false;
+
+    [Fact]
+    public void Spaces_of_pbrt_are_left_handed_unless_they_are_mirrored()
+    {
+        const string ball = """AttributeBegin AreaLightSource "diffuse" Translate 1 0 0 Shape "sphere" "float radius" 0.5 AttributeEnd""";
+        const string film = """Film "rgb" "integer xresolution" 2 "integer yresolution" 1 PixelFilter "box" Sampler "zsobol" "integer pixelsamples" 64 """;
+        const string camera = """LookAt 0 0 -4 0 0 0 0 1 0 Camera "perspective" "float fov" 60 """;
+        Film plain = PbrtTestScene.Render(ball, film + camera);
+        Film mirrored = PbrtTestScene.Render(ball, film + "Scale -1 1 1 " + camera);
+        Assert.True(plain.Mean(1, 0).G > 0.01 && plain.Mean(0, 0).G == 0);
+        Assert.True(mirrored.Mean(0, 0).G > 0.01 && mirrored.Mean(1, 0).G == 0);
+    }
+
+    [Fact]
+    public void Transforms_are_applied_from_the_last_to_the_first()
+    {
+        SceneDescription scene = PbrtTestScene.Of("""
+            Translate 1 2 3
+            AttributeBegin Rotate 90 0 0 1 Scale 2 2 2 CoordinateSystem "here" Shape "sphere" AttributeEnd
+            Shape "sphere" "float radius" 3
+            TransformBegin CoordSysTransform "here" ConcatTransform [1 0 0 0  0 1 0 0  0 0 1 0  5 0 0 1] Shape "sphere" TransformEnd
+            Transform [1 0 0 0  0 1 0 0  0 0 1 0  7 8 9 1] Shape "sphere"
+            """);
+        Assert.Equal([(new(1, 2, 3), 2f), (new(1, 2, 3), 3f), (new(1, 12, 3), 2f), (new(7, 8, 9), 1f)], scene.Shapes.Cast<SphereDescription>().Select(s => (Rounded(s.Center), MathF.Round(s.Radius, 4))));
+    }
+
+    [Fact]
+    public void Lights_have_the_units_of_pbrt()
+    {
+        SceneDescription scene = PbrtTestScene.Of("""
+            LightSource "infinite" "float illuminance" 6.2831853
+            LightSource "infinite" "rgb L" [1 0 0] "float scale" 3
+            LightSource "point" "rgb I" [2 1 1] "float power" 12.5663706 "point3 from" [1 2 3]
+            LightSource "distant" "blackbody L" 3000 "float illuminance" 5 "point3 to" [0 -1 0]
+            LightSource "spot" "float coneangle" 60 "float conedeltaangle" 60 "float power" 3.14159265
+            """);
+        Assert.Equal(new(5, 2, 2), scene.Background);
+        Assert.Equal((new(1, 2, 3), 2f), (((PointLightDescription)scene.Lights[0]).Position, ((PointLightDescription)scene.Lights[0]).Intensity.R));
+        DirectionalLightDescription sun = (DirectionalLightDescription)scene.Lights[1];
+        Assert.Equal(5, sun.Irradiance.Luminance, 1e-3);
+        Assert.Equal(new(0, -1, 0), sun.Direction);
+
+        // From 1 at the axis to ½ at 60°, on average ¾ of the cosine: a solid angle of 2π/4.
+        SpotLightDescription spot = (SpotLightDescription)scene.Lights[2];
+        Assert.Equal((2f, 60f, 0f, SpotFalloff.Smoothstep), (MathF.Round(spot.Intensity.G, 4), spot.CutoffAngle, spot.BeamWidth!.Value, spot.Falloff));
+    }
+
+    [Fact]
+    public void Each_triangle_of_a_mesh_has_its_power()
+    {
+        MeshDescription mesh = (MeshDescription)PbrtTestScene.Of("""
+            AreaLightSource "diffuse" "float power" 3.14159265
+            Shape "trianglemesh" "point3 P" [0 0 0 1 0 0 0 1 0 0 4 0] "integer indices" [0 1 2 0 1 3]
+            """).Shapes[0];
+        Assert.Equal([2f, 0.5f], mesh.MaterialOfTriangle.Select(i => Radiance(mesh.Materials[i])));
+    }
+
+    [Fact]
+    public void Roughness_is_the_square_of_alpha_unless_it_is_said_to_be_alpha()
+    {
+        RoughConductorMaterialDescription metal = (RoughConductorMaterialDescription)MaterialOf("\"conductor\" \"float uroughness\" 0.25 \"float vroughness\" 0.01");
+        Assert.Equal((Metal.Copper, 0.5f, 0.1f), (metal.Metal!.Value, Number(metal.AlphaU!), Number(metal.AlphaV!)));
+        RoughDielectricMaterialDescription glass = (RoughDielectricMaterialDescription)MaterialOf("\"dielectric\" \"float roughness\" 0.25 \"bool remaproughness\" false \"float eta\" 1.3");
+        Assert.Equal((0.25f, 1.3f), (Number(glass.Alpha), glass.RefractiveIndex));
+        Assert.Equal(Glass.Sf11, ((DielectricMaterialDescription)MaterialOf("\"dielectric\" \"spectrum eta\" \"glass-SF11\"")).Glass);
+        ConductorMaterialDescription mirror = (ConductorMaterialDescription)MaterialOf("\"conductor\" \"rgb reflectance\" [0.5 0.2 0]");
+        Assert.Equal((1f, 2f), (mirror.Eta!.Value.R, MathF.Round(mirror.K!.Value.R, 4)));
+    }
+
+    // By another way: terms of light that goes down, is thrown back n times, and comes out, each with its losses.
+    [Theory]
+    [InlineData(1.5f, 0.01f, 0.5f)]
+    [InlineData(1.5f, 0f, 0.8f)]
+    [InlineData(1.3f, 0.2f, 0.9f)]
+    public void A_matt_base_is_darker_by_what_its_coat_absorbs(float index, float thickness, float reflectance)
+    {
+        PlasticMaterialDescription plastic = (PlasticMaterialDescription)MaterialOf(FormattableString.Invariant(
+            $"\"coateddiffuse\" \"float eta\" {index} \"float thickness\" {thickness} \"rgb reflectance\" [{reflectance} {reflectance} {reflectance}]"));
+        (double back, double out1, double both) = (0, 0, 0);
+        const int steps = 20_000;
+        for (int i = 0; i < steps; i++)
+        {
+            double cosine = (i + 0.5) / steps;
+            double sine = index * Math.Sqrt(1 - (cosine * cosine));
+            double outside = sine < 1 ? Math.Sqrt(1 - (sine * sine)) : 0;
+            double s = ((index * cosine) - outside) / ((index * cosine) + outside);
+            double p = ((index * outside) - cosine) / ((index * outside) + cosine);
+            double fresnel = sine < 1 ? ((s * s) + (p * p)) / 2 : 1;
+            double weight = 2 * cosine / steps;
+            back += weight * fresnel;
+            both += weight * fresnel * Math.Exp(-2 * thickness / cosine);
+            out1 += weight * (1 - fresnel) * Math.Exp(-thickness / cosine);
+        }
+
+        double way = Math.Pow(out1 / (1 - back), 2);
+        double expected = Enumerable.Range(0, 200).Sum(n => way * reflectance * Math.Pow(reflectance * both, n));
+        double color = Number(plastic.Color);
+        Assert.Equal(expected, color / (1 - (color * back)), 2e-3);
+        Assert.True(plastic.Nonlinear);
+    }
+
+    [Fact]
+    public void Parts_of_quadrics_become_meshes_with_the_uv_and_the_front_of_pbrt()
+    {
+        MeshDescription part = (MeshDescription)PbrtTestScene.Of("Shape \"sphere\" \"float radius\" 2 \"float zmin\" 0 \"float phimax\" 90").Shapes[0];
+        int last = part.Positions.Count - 1;
+        Assert.Equal(new(1, 1), part.Uv[last]);
+        Assert.Equal(new(0, 0, 2), Rounded(part.Positions[last]));
+        Assert.Equal(new(2, 0, 0), Rounded(part.Positions[0]));
+        Assert.All(part.Triangles, t => Assert.True(Front(part, t).Dot(part.Positions[t.A]) > 0));
+        MeshDescription ring = (MeshDescription)PbrtTestScene.Of("Shape \"disk\" \"float innerradius\" 0.5 \"float height\" 3").Shapes[0];
+        Assert.All(ring.Triangles, t => Assert.True(Front(ring, t).Z > 0));
+        Assert.Equal(MathF.PI * 0.75, ring.Triangles.Sum(t => Front(ring, t).Norm() / 2), 2e-3);
+    }
+
+    [Fact]
+    public void The_uv_of_a_sphere_are_those_of_pbrt()
+    {
+        SphereDescription sphere = (SphereDescription)PbrtTestScene.Of("""
+            Texture "t" "spectrum" "checkerboard"
+            Material "diffuse" "texture reflectance" "t" Shape "sphere"
+            """).Shapes[0];
+        float[] m = [.. Assert.Single(sphere.Transform).Matrix];
+
+        // Ours has u = 0 at −z, ¼ at −x, and v = 1 at y; theirs at x, y and z.
+        Assert.Equal((1f, 1f, 1f), (-m[2], -m[4], m[9]));
+    }
+
+    [Fact]
+    public void Triangles_face_where_their_normals_point()
+    {
+        MeshDescription mesh = (MeshDescription)PbrtTestScene.Of("Shape \"trianglemesh\" \"point3 P\" [0 0 0 1 0 0 0 1 0] \"normal N\" [0 0 -1 0 0 -1 0 0 -1]").Shapes[0];
+        Assert.Equal(new TriangleIndices(0, 2, 1), mesh.Triangles[0]);
+        Assert.True(((MeshDescription)PbrtTestScene.Of("ReverseOrientation Shape \"trianglemesh\" \"point3 P\" [0 0 0 1 0 0 0 1 0]").Shapes[0]).FlipNormals);
+    }
+
+    [Fact]
+    public void Media_fill_shapes_and_fade_beyond_their_outermost_points()
+    {
+        SceneDescription scene = PbrtTestScene.Of("""
+            MakeNamedMedium "smoke" "string type" "uniformgrid" "integer nx" 2 "integer ny" 1 "integer nz" 1 "float density" [3 5]
+                "point3 p0" [0 0 0] "point3 p1" [2 1 1] "rgb sigma_a" [1 2 0] "rgb sigma_s" [3 2 0] "float scale" 2 "float g" 0.5
+            MediumInterface "smoke" "" Material "interface" Shape "sphere"
+            """);
+        MediumDescription medium = ((InvisibleMaterialDescription)scene.Shapes[0].Material).Interior;
+        Assert.Equal((new(8, 8, 0), new(0.75f, 0.5f, 0), 0.5f), (medium.Extinction, medium.Albedo, medium.Anisotropy));
+        GridDescription grid = medium.Density!;
+        Assert.Equal([4, 3, 3], grid.Size);
+        Assert.Equal([new(-1, -1, -1), new(3, 2, 2)], grid.Box);
+        Assert.Equal([(17, 3f), (18, 5f)], grid.Values.Select((v, i) => (i, v)).Where(p => p.v > 0));
+    }
+
+    [Fact]
+    public void Objects_and_their_instances_are_shared()
+    {
+        SceneDescription scene = PbrtTestScene.Of("""
+            ObjectBegin "ball" Translate 1 0 0 Shape "sphere" ObjectEnd
+            ObjectInstance "ball" Translate 0 2 0 ObjectInstance "ball"
+            """);
+        Assert.Same(((InstanceDescription)scene.Shapes[0]).Of, ((InstanceDescription)scene.Shapes[1]).Of);
+        Assert.Equal(2, Assert.Single(((InstanceDescription)scene.Shapes[1]).Transform).Matrix[7]);
+        Assert.Equal(new(1, 0, 0), ((SphereDescription)Assert.Single(((GroupDescription)scene.Objects["ball"]).Shapes)).Center);
+    }
+
+    [Fact]
+    public void Included_files_may_be_compressed_and_imported_ones_change_nothing_around_them()
+    {
+        using PbrtTestScene scene = new();
+        using (GZipStream zip = new(File.Create(scene["ball.pbrt.gz"]), CompressionLevel.Fastest))
+        {
+            zip.Write("Translate 1 0 0 Shape \"sphere\""u8);
+        }
+
+        SceneReadResult read = PbrtReader.Read(scene.Write("scene.pbrt", "Import \"ball.pbrt.gz\" Include \"ball.pbrt.gz\" Shape \"sphere\" Shape \"sphere\" \"float radius\" 2"));
+        Assert.Equal("", Diagnostic.Format([.. read.Diagnostics]));
+        Assert.Equal([1f, 1f, 1f, 1f], read.Description!.Shapes.Cast<SphereDescription>().Select(s => s.Center.X));
+    }
+
+    [Fact]
+    public void Attributes_are_given_to_what_follows_unless_it_says_otherwise()
+    {
+        SceneDescription scene = PbrtTestScene.Of("""
+            AttributeBegin Attribute "shape" "float radius" 3 Shape "sphere" Shape "sphere" "float radius" 2 Shape "disk" AttributeEnd Shape "sphere"
+            """);
+        Assert.Equal([3f, 2f, 3f, 1f], scene.Shapes.Select(s => s is DiskDescription disk ? disk.Radius : ((SphereDescription)s).Radius));
+    }
+
+    [Fact]
+    public void Screens_and_crops_are_windows()
+    {
+        CameraDescription camera = PbrtTestScene.Of("", """
+            Film "rgb" "integer xresolution" 200 "integer yresolution" 100 "float cropwindow" [0.5 1 0 0.5]
+            Camera "perspective" "float fov" 90 "float screenwindow" [-1 3 -1 1]
+            """).Camera;
+
+        // Half as wide again as from −3 to 3; of what is shown, the upper right quarter.
+        Assert.Equal([0.6667f, 0f, 0.3333f, 0.5f], camera.Window.Select(w => MathF.Round(w, 4)));
+        Assert.Equal(90, camera.FieldOfView, 1e-3);
+    }
+
+    [Fact]
+    public void Settings_of_pictures_are_those_of_pbrt()
+    {
+        RenderDescription usual = PbrtTestScene.Of("").Render;
+        Assert.Equal((1280, 720, 16, Integrator.VolPath, 6), (usual.Width, usual.Height, usual.SamplesPerPixel, usual.Integrator, usual.MaxDepth));
+        Assert.Equal((FilterShape.Gaussian, 1.5f, 0.5f), (usual.Filter.Shape, usual.Filter.Radius, usual.Filter.Deviation));
+        RenderDescription own = PbrtTestScene.Of("", "Integrator \"path\" \"integer maxdepth\" 3 Sampler \"stratified\" \"integer xsamples\" 3 \"integer ysamples\" 3").Render;
+        Assert.Equal((9, SamplerKind.Jittered, Integrator.Path, 4), (own.SamplesPerPixel, own.Sampler, own.Integrator, own.MaxDepth));
+    }
+
+    [Fact]
+    public void Colours_of_wider_spaces_become_those_of_sRGB()
+    {
+        SceneDescription scene = PbrtTestScene.Of("ColorSpace \"rec2020\" LightSource \"point\" \"rgb I\" [1 1 1] LightSource \"point\" \"rgb I\" [0.7 0.6 0.5]");
+        Rgb white = ((PointLightDescription)scene.Lights[0]).Intensity;
+        Rgb warm = ((PointLightDescription)scene.Lights[1]).Intensity;
+        Assert.Equal((1, 1, 1), (Math.Round(white.R, 4), Math.Round(white.G, 4), Math.Round(white.B, 4)));
+
+        // Of Rec. 2020, the luminance is 0.2627 R + 0.6780 G + 0.0593 B.
+        Assert.Equal((0.7 * 0.2627) + (0.6 * 0.678) + (0.5 * 0.0593), warm.Luminance, 1e-3);
+    }
+
+    [Theory]
+    [InlineData("Shape \"curve\" \"float width\" 1", "a magenta ball is shown instead")]
+    [InlineData("Material \"hair\" Shape \"sphere\"", "magenta is shown instead")]
+    [InlineData("LightSource \"goniometric\" \"string filename\" \"a.png\"", "it is left out")]
+    public void What_is_not_supported_has_a_stand_in_where_that_is_wanted(string things, string standIn)
+    {
+        Assert.DoesNotContain(standIn, PbrtTestScene.Complaint(things), StringComparison.Ordinal);
+        ImportSettings.IsLenient = true;
+        using PbrtTestScene scene = new();
+        SceneReadResult read = PbrtReader.Read(scene.Write("scene.pbrt", things));
+        Diagnostic warning = Assert.Single(read.Diagnostics);
+        Assert.Equal(Severity.Warning, warning.Severity);
+        Assert.EndsWith(standIn, warning.Message, StringComparison.Ordinal);
+    }
+
+    private static Vector3 Front(MeshDescription mesh, TriangleIndices t) => (mesh.Positions[t.B] - mesh.Positions[t.A]).Cross(mesh.Positions[t.C] - mesh.Positions[t.A]);
+
+    private static Vector3 Rounded(Vector3 v) => new(MathF.Round(v.X, 4), MathF.Round(v.Y, 4), MathF.Round(v.Z, 4));
+
+    private static MaterialDescription MaterialOf(string material) => PbrtTestScene.Of($"Material {material} Shape \"sphere\"").Shapes[0].Material;
+
+    private static float Number(TextureDescription texture) => ((SolidTextureDescription)texture).Color.R;
+
+    private static float Radiance(MaterialDescription material) => MathF.Round(Number(((LuminaireMaterialDescription)material).Color), 4);
+}
