@@ -37,6 +37,8 @@ public static class BitVersions
             && (records.Count(r => r is ShapeDescription) > 8 || records.Any(r => Name(r) is "instance" or "model"))),
         new("coats", 26, (scene, records) => scene.Render.Integrator.Has(IntegratorTraits.Light) && records.Any(r => Name(r) == "diffuseSpecular")),
         new("samples that share camera rays", 26, (scene, records) => MaySplit(scene) && !records.Any(r => Name(r) is "mesh" or "model" or "instance")),
+        new("glTF models", 29, (_, records) => records.Any(r => r is ModelDescription { File: { } file }
+            && (file.EndsWith(".gltf", StringComparison.OrdinalIgnoreCase) || file.EndsWith(".glb", StringComparison.OrdinalIgnoreCase)))),
         new("skies", 18, (scene, _) => scene.Environment is { } sky && Name(sky) == "sky"),
     ];
 

@@ -81,17 +81,18 @@ public sealed record GridDescription
 
     private VolumeGrid? Numbered(SceneBuilder builder)
     {
-        if (Values.Count == 0)
+        if (Values.Count == 0 && File.Length > 0)
         {
             return builder.Grid(this, nameof(File), this);
         }
 
-        string? complaint = File.Length > 0 ? "a grid has either a file or values, not both"
+        string? complaint = Values.Count == 0 ? "a grid needs a \"file\", or \"values\""
+            : File.Length > 0 ? "a grid has either a file or values, not both"
             : Size.Count is not (3 or 4) ? "values need \"size\", their points along x, y and z" : VolumeGrid.SizeComplaint(Size[0], Size[1], Size[2], Channels)
             ?? (Values.Count != (long)Size[0] * Size[1] * Size[2] * Channels ? $"{string.Join('×', Size)} numbers are needed, but there are {Values.Count}" : null);
         if (complaint is not null)
         {
-            builder.Error(this, nameof(Values), complaint);
+            builder.Error(this, Values.Count > 0 ? nameof(Values) : null, complaint);
             return null;
         }
 
