@@ -39,6 +39,7 @@ public static class BitVersions
         new("samples that share camera rays", 26, (scene, records) => MaySplit(scene) && !records.Any(r => Name(r) is "mesh" or "model" or "instance")),
         new("glTF models", 29, (_, records) => records.Any(r => r is ModelDescription { File: { } file }
             && (file.EndsWith(".gltf", StringComparison.OrdinalIgnoreCase) || file.EndsWith(".glb", StringComparison.OrdinalIgnoreCase)))),
+        new("backgrounds in the light of the lamps", 30, (scene, _) => scene.Render.Integrator == Integrator.Light && !scene.Background.IsBlack),
         new("skies", 18, (scene, _) => scene.Environment is { } sky && Name(sky) == "sky"),
     ];
 

@@ -5,6 +5,7 @@ using Xunit.Abstractions;
 namespace RayTracer.Textbook.Tests;
 
 /// <summary>Both editions expect the same picture, of every scene within the range of the textbook edition.</summary>
+[Trait("Category", "Thorough")]
 public class AgreementTests(ITestOutputHelper output)
 {
     private static readonly int s_seeds = TestSettings.Scale(24, 64);
@@ -58,6 +59,10 @@ public class AgreementTests(ITestOutputHelper output)
     [InlineData("light-lens", """
         "camera": { "position": [0, 1, 5], "lookAt": [0, 0.7, 0], "lens": { "apertureRadius": 0.2, "focusDistance": 4 } }, "render": { "integrator": "light", "maxDepth": 4, RENDER },
         "shapes": [ FLAT, { "type": "disk", "center": [0, 1, 1], "normal": [1, 1, 2], "radius": 0.4 }, { "type": "point", "position": [2, 3, 2], "intensity": [20, 15, 10] } ]
+        """)]
+    [InlineData("light-depth", """
+        CAMERA, "render": { "integrator": "light", "maxDepth": 2, RENDER }, "shapes": [ { "type": "point", "position": [1, 2, 1], "intensity": [3, 3, 3] },
+        { "type": "box", "a": [-3, -1, -3], "b": [3, 4, 6], "material": { "type": "diffuse", "color": [0.9, 0.9, 0.9] } } ]
         """)]
     [InlineData("sides", """
         CAMERA, "render": { "integrator": "path", RENDER }, "background": [0.5, 0.5, 0.6], "shapes": [ FLOOR,

@@ -39,6 +39,23 @@ public class RefusalTests
     }
 
     [Fact]
+    public void Models_that_move_or_have_looks_to_choose_from_are_refused()
+    {
+        SceneDescription Showing(Shapes.ModelDescription model) => new() { Shapes = [model] };
+        ImportedModel still = new(new() { Shapes = [new Shapes.SphereDescription()] }, []) { Variants = ["red"] };
+        string[] Complaints(ImportedModel imported, Shapes.ModelDescription model)
+        {
+            SceneReader reader = new(loadModel: _ => imported);
+            reader.Read(Showing(model));
+            return [.. reader.Complaints.Select(c => c.Message)];
+        }
+
+        Assert.Empty(Complaints(still, new() { File = "a.glb" }));
+        Assert.Contains("has animations", Assert.Single(Complaints(still with { Animations = [new("walk", 1)] }, new() { File = "a.glb" })), StringComparison.Ordinal);
+        Assert.Contains("no \"variant\" of a model", Assert.Single(Complaints(still, new() { File = "a.glb", Variant = "red" })), StringComparison.Ordinal);
+    }
+
+    [Fact]
     public void Metals_are_those_of_the_scene_format()
     {
         // The same ball by its name and by the numbers that the product's table has.
@@ -52,7 +69,7 @@ public class RefusalTests
     }
 
     [Fact]
-    public void Films_of_the_library_begin_anew_with_each_sample()
+    public void Samples_do_not_depend_on_those_before_them()
     {
         // A sample depends on the scene, the pixel and its number alone, not on threads or on what was rendered before.
         SceneLoadResult load = Editions.Load(ProjectFolder.PathOf("scenes", "report", "scene2.json"), d => d with { Render = d.Render with { Width = 16, Height = 12, SamplesPerPixel = 4 } });

@@ -1,6 +1,7 @@
 namespace RayTracer.Textbook.Tests;
 
 /// <summary>All trees find what the plain loop finds, to the bit: they test shapes alike, and may only leave out what is not hit.</summary>
+[Trait("Category", "Thorough")]
 public class TreeTests
 {
     private static readonly (string Name, Func<IReadOnlyList<IShape>, IAccelerator> Build)[] s_trees =

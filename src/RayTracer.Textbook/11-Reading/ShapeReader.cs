@@ -56,6 +56,12 @@ internal sealed class ShapeReader(Refusals refusals, MaterialReader materials, F
                 Add(of, place, around.Within(instance.Material));
                 break;
             case ModelDescription model when Load(model, nameof(model.File), model.File) is { } imported:
+                if (imported.Animations.Count > 0)
+                {
+                    refusals.Say(model, nameof(model.File), "the textbook edition does not move models, and this one has animations");
+                }
+
+                refusals.Rest(model, nameof(model.File), nameof(model.Material), nameof(model.Transform));
                 AddAll([.. imported.Scene.Shapes, .. imported.Scene.Lights], place, around.Within(model.Material));
                 break;
             case ModelDescription:

@@ -24,7 +24,6 @@ public sealed class Scene
 
     private Scene(RenderDescription render, Camera camera, Rgb background, EnvironmentLight? environment, Rgb ambient, World world)
     {
-        Environment = environment;
         Render = render;
         Camera = camera;
         Background = background;
@@ -32,6 +31,7 @@ public sealed class Scene
         Sampler = render.Sampler.Create(render.SamplesPerPixel);
         Filter = PixelFilter.Create(render.Filter);
         World = world;
+        Environment = Surroundings(environment);
         Shapes = World.Itself.Shapes;
         Batches = World.Itself.Batches;
         Primitives = World.Itself.Primitives;
@@ -45,7 +45,6 @@ public sealed class Scene
         HidesLights = render.HideLights && render.Integrator.Has(IntegratorTraits.HiddenLights);
         CameraInteriors = TracksInteriors ? EnclosingMedia.Of(this) : 0;
         Lights = LightList.Create(World);
-        environment?.World = World;
         LightSelection = SelectLights();
         Splitting = CanSplit() ? Splitting.Of(render.Splitting, render.Sampler, Sampler) : null;
         PointsOfFirst = CountPoints();
@@ -57,11 +56,11 @@ public sealed class Scene
         Render = render;
         Camera = camera;
         Background = other.Background;
-        Environment = other.Environment;
         Ambient = other.Ambient;
         Sampler = render.Sampler.Create(render.SamplesPerPixel);
         Filter = PixelFilter.Create(render.Filter);
         World = other.World;
+        Environment = Surroundings(other.Environment);
         Shapes = other.Shapes;
         Batches = other.Batches;
         Primitives = other.Primitives;
@@ -282,6 +281,14 @@ public sealed class Scene
 
     /// <summary>The same scene with another guide, or rendered in another way, by the same camera.</summary>
     internal Scene Guided(PathGuide? guide, RenderDescription? render = null) => new(this, render ?? Render, guide);
+
+    // Paths that come from the lights alone never get to what is behind everything: it has to be one of the lights.
+    private EnvironmentLight? Surroundings(EnvironmentLight? given)
+    {
+        EnvironmentLight? around = given ?? (Render.Integrator == Integrator.Light && !Background.IsBlack ? new ConstantEnvironment(Background) { Label = new(null, "background") } : null);
+        around?.World = World;
+        return around;
+    }
 
     /// <summary>Makes a scene from built shapes; reports what is wrong and returns null.</summary>
     internal static Scene? Create(SceneDescription description, SpaceContents contents, SceneBuilder builder)

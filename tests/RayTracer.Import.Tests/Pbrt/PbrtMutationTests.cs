@@ -4,6 +4,7 @@ using RayTracer.Scenes;
 
 namespace RayTracer.Import.Tests;
 
+[Trait("Category", "Thorough")]
 public class PbrtMutationTests
 {
     private const string Scene = """

@@ -233,7 +233,7 @@ public sealed class PbrtReaderTests : IDisposable
         Rgb warm = ((PointLightDescription)scene.Lights[1]).Intensity;
         Assert.Equal((1, 1, 1), (Math.Round(white.R, 4), Math.Round(white.G, 4), Math.Round(white.B, 4)));
 
-        // Of Rec. 2020, the luminance is 0.2627 R + 0.6780 G + 0.0593 B.
+        // Of rec2020, the luminance is 0.2627 R + 0.6780 G + 0.0593 B.
         Assert.Equal((0.7 * 0.2627) + (0.6 * 0.678) + (0.5 * 0.0593), warm.Luminance, 1e-3);
     }
 

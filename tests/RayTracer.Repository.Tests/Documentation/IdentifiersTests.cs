@@ -10,7 +10,7 @@ public sealed partial class IdentifiersTests
     [
         "ColorTrace", "GetPoint", "cel", "ExplicitBRDF", // members of the report's program
         "Matrix4x4", "isa", // of .NET, of Embree
-        "TEXCOORD_n", "NEAREST", "doubleSided", // glTF
+        "TEXCOORD_n", "JOINTS_n", "WEIGHTS_n", "KHR_animation_pointer", "NEAREST", "doubleSided", // glTF
         "MaxArraySize", "sbcast", "scp", "nohup", "rdjpgcom", "attenuate", "crossgen2", "netcore", // programs, and their settings
         "comp_bad_", "comp_dwaa_v1", "comp_dwab_v2", "make_scenes", // files of others
         "photo", "photo420", "group1", "NAMES", "PROGRAM", // stand-ins

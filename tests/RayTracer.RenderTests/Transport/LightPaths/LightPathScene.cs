@@ -49,8 +49,8 @@ internal sealed record LightPathScene(string Name, int Samples, bool IsMatt, str
               "motion": [{ "time": 0 }, { "time": 1, "transform": [{ "rotate": 40, "axis": [0, 1, 0] }] }] }
             """)),
 
-        new("lights without extent, without perspective", 2, IsMatt: true, Write(
-            """ "position": [0.4, 1.6, 5], "lookAt": [0, 0.7, 0], "projection": "orthographic", "viewSize": 3 """, """ "maxDepth": 4 """, "",
+        new("lights without extent before a background, without perspective", 2, IsMatt: true, Write(
+            """ "position": [0.4, 1.6, 5], "lookAt": [0, 0.7, 0], "projection": "orthographic", "viewSize": 3 """, """ "maxDepth": 4 """, """ "background": [0.2, 0.3, 0.4], """,
             Floor, Wall,
             """{ "type": "sphere", "center": [-0.7, 0.6, 0], "radius": 0.6, "material": { "type": "roughConductor", "metal": "gold", "alpha": 0.4 } }""",
             $$"""{ "type": "cone", "bottom": [0.9, 0, 0], "top": [0.9, 1.3, 0], "radius": 0.5, "material": {{Matt}} }""",
