@@ -8,7 +8,7 @@ namespace RayTracer.Textbook.Tests;
 [Trait("Category", "Thorough")]
 public class AgreementTests(ITestOutputHelper output)
 {
-    private static readonly int s_seeds = TestSettings.Scale(24, 64);
+    private static readonly int s_seeds = TestSettings.Scale(16, 64);
 
     // Of the scenes with one feature each by which the renderer is compared with the oracle, those with cylinders and cones.
     private static readonly string[] s_beyond = ["light-solids", "shapes-glass", "shapes-matt"];

@@ -2,16 +2,14 @@ namespace RayTracer.Textbook;
 
 /// <summary>
 /// Light tracing: paths from the lights, as light goes, each of whose points is joined with the camera (Dutré, Lafortune &amp; Willems 1993). It finds the bright
-/// curves that glass makes, but no mirror images: no path ends in a pinhole by chance.
+/// curves that glass makes, but of what is seen in mirrors only the lights: no path ends in a pinhole by chance.
 /// </summary>
 /// <param name="maxDepth">The largest number of edges of a path, that to the camera included; below 0 for no limit.</param>
 /// <param name="rouletteDepth">The number of edges after which paths may end at random.</param>
 public sealed class LightPathIntegrator(int maxDepth, int rouletteDepth) : ILightPathIntegrator
 {
     /// <summary>What shines, as the camera sees it: all else comes from the lights.</summary>
-    public Rgb Radiance(Scene scene, Ray ray, ISampler sampler) => scene.Intersect(ray, out Hit hit)
-        ? LightSampling.Emitted(scene, ray, hit, pdf: 0)
-        : LightSampling.FromAround(scene, ray, pdf: 0);
+    public Rgb Radiance(Scene scene, Ray ray, ISampler sampler) => MirrorPath.Radiance(scene, ray, sampler, maxDepth, rouletteDepth, (_, _, _) => default);
 
     /// <inheritdoc/>
     public void TraceLight(Scene scene, ISampler sampler, Action<double, double, Rgb> splat)

@@ -37,38 +37,8 @@ public sealed class PhotonIntegrator(int maxDepth, int rouletteDepth, double fir
     }
 
     /// <inheritdoc/>
-    public Rgb Radiance(Scene scene, Ray ray, ISampler sampler)
-    {
-        Rgb throughput = Rgb.White;
-        Rgb light = default;
-        for (int edges = 1; maxDepth < 0 || edges <= maxDepth; edges++)
-        {
-            if (!scene.Intersect(ray, out Hit hit))
-            {
-                return light + (throughput * LightSampling.FromAround(scene, ray, pdf: 0));
-            }
-
-            light += throughput * LightSampling.Emitted(scene, ray, hit, pdf: 0);
-            Vector toViewer = hit.Frame.ToLocal(-ray.Direction);
-            light += throughput * Gather(hit, toViewer, edges);
-
-            // Mirrors show what they reflect, and photons do not lie on them.
-            if (hit.Thing!.Material.Sample(hit, toViewer, sampler) is not { Lobe: Lobe.Mirror } mirror)
-            {
-                return light;
-            }
-
-            throughput *= mirror.Weight;
-            if (throughput.IsBlack || (edges >= rouletteDepth && !PathIntegrator.Survives(ref throughput, sampler.Next())))
-            {
-                return light;
-            }
-
-            ray = hit.Leave(hit.Frame.ToWorld(mirror.Direction));
-        }
-
-        return light;
-    }
+    public Rgb Radiance(Scene scene, Ray ray, ISampler sampler) =>
+        MirrorPath.Radiance(scene, ray, sampler, maxDepth, rouletteDepth, (hit, toViewer, edges) => Gather(hit, toViewer, edges));
 
     // The light of all photons in a circle, over its area.
     private Rgb Gather(in Hit hit, Vector toViewer, int edges)
