@@ -259,6 +259,7 @@ internal static class PbrtMeshes
 {
     // Steps along each side of a patch that is not flat.
     private const int PatchSteps = 16;
+    private static readonly Vector2[] s_corners = [new(0, 0), new(1, 0), new(0, 1), new(1, 1)];
 
     /// <summary>Triangles. Where they have normals, their front is on the side of these.</summary>
     public static MeshDescription? Triangles(PbrtThing shape)
@@ -285,21 +286,23 @@ internal static class PbrtMeshes
     /// <summary>Patches between four corners each: bilinear surfaces.</summary>
     public static MeshDescription? Patches(PbrtThing shape)
     {
-        if (shape.Has("N") || shape.Has("uv") || shape.Has("emissionfilename"))
+        if (shape.Has("N") || shape.Has("emissionfilename"))
         {
-            string which = shape.Has("emissionfilename") ? "emissionfilename" : shape.Has("N") ? "N" : "uv";
-            shape.Ignore("N", "uv", "emissionfilename");
+            string which = shape.Has("emissionfilename") ? "emissionfilename" : "N";
+            shape.Ignore("N", "emissionfilename");
             shape.Log.Unsupported(shape.PlaceOf(which), $"{Quotation.Of(which)} of a bilinearmesh is not read", "it is ignored");
         }
 
         (Vector3[] points, int[] indices) = (shape.Vectors("P", "point3"), shape.Integers("indices"));
+        Vector2[] places = shape.Pairs("uv");
         indices = indices.Length == 0 && !shape.Has("indices") && points.Length == 4 ? [0, 1, 2, 3] : indices;
-        if (!IsWhole(shape, points, indices, 4, 0, 0))
+        if (!IsWhole(shape, points, indices, 4, 0, places.Length))
         {
             return null;
         }
 
-        MeshDescription[] patches = [.. indices.Chunk(4).Select(p => Patch(points[p[0]], points[p[1]], points[p[2]], points[p[3]]))];
+        MeshDescription[] patches = [.. indices.Chunk(4).Select(p => Patch(
+            points[p[0]], points[p[1]], points[p[2]], points[p[3]], places.Length > 0 ? [.. p.Select(i => places[i])] : s_corners))];
         (List<Vector3> all, List<Vector2> uv, List<Vector3> normals, List<TriangleIndices> triangles) = ([], [], [], []);
         foreach (MeshDescription patch in patches)
         {
@@ -321,18 +324,22 @@ internal static class PbrtMeshes
         return shape.FileName() is { } file ? new() { File = file, IgnoreColors = true, FlipNormals = shape.State.IsReversed } : null;
     }
 
-    // Corners: at (0, 0), (1, 0), (0, 1) and (1, 1).
-    private static MeshDescription Patch(Vector3 a, Vector3 b, Vector3 c, Vector3 d)
+    // Corners: at (0, 0), (1, 0), (0, 1) and (1, 1). What a texture asks for lies between those of the corners as the points do.
+    private static MeshDescription Patch(Vector3 a, Vector3 b, Vector3 c, Vector3 d, Vector2[] places)
     {
-        bool isFlat = (a - b - c + d).Norm() <= 1e-5f * ((b - a).Norm() + (c - a).Norm());
+        bool isFlat = (a - b - c + d).Norm() <= 1e-5f * ((b - a).Norm() + (c - a).Norm()) && places[0] - places[1] - places[2] + places[3] == Vector2.Zero;
         int steps = isFlat ? 1 : PatchSteps;
-        return GridMesh.Create(steps, steps, (u, v) =>
+        MeshDescription patch = GridMesh.Create(steps, steps, (u, v) =>
         {
             Vector3 alongU = ((1 - v) * (b - a)) + (v * (d - c));
             Vector3 alongV = ((1 - u) * (c - a)) + (u * (d - b));
             Vector3 normal = alongU.Cross(alongV).Unit();
             return (((1 - v) * (((1 - u) * a) + (u * b))) + (v * (((1 - u) * c) + (u * d))), normal.IsFinite() ? normal : Vector3.UnitZ);
         });
+        return patch with { Uv = [.. patch.Uv.Select(At)] };
+
+        Vector2 At(Vector2 place) =>
+            ((1 - place.Y) * (((1 - place.X) * places[0]) + (place.X * places[1]))) + (place.Y * (((1 - place.X) * places[2]) + (place.X * places[3])));
     }
 
     private static TriangleIndices Facing(TriangleIndices t, Vector3[] points, Vector3[] normals)

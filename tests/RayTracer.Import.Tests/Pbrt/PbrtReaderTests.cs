@@ -42,6 +42,21 @@ public sealed class PbrtReaderTests : IDisposable
     }
 
     [Fact]
+    public void Patches_have_the_uv_of_their_corners()
+    {
+        const string square = """Shape "bilinearmesh" "point3 P" [0 0 0  2 0 0  0 2 0  2 2 0] """;
+        MeshDescription Patch(string more) => (MeshDescription)PbrtTestScene.Of(square + more).Shapes[0];
+        Vector2 At(MeshDescription mesh, Vector3 point) => mesh.Uv[mesh.Positions.ToList().FindIndex(p => (p - point).Length() < 1e-4f)];
+        Assert.Equal(new(1, 0), At(Patch(""), new(2, 0, 0)));
+        MeshDescription stretched = Patch("\"point2 uv\" [0 0  3 0  0 5  3 5]");
+        Assert.Equal((4, new(3, 0), new(0, 5)), (stretched.Positions.Count, At(stretched, new(2, 0, 0)), At(stretched, new(0, 2, 0))));
+
+        // Corners that change places twist what lies between them: its middle is that of all four.
+        MeshDescription twisted = Patch("\"point2 uv\" [0 0  1 0  1 1  0 1]");
+        Assert.Equal((new(0, 1), new(0.5f, 0.5f), new(0.5f, 0)), (At(twisted, new(2, 2, 0)), At(twisted, new(1, 1, 0)), At(twisted, new(1, 0, 0))));
+    }
+
+    [Fact]
     public void Lights_have_the_units_of_pbrt()
     {
         SceneDescription scene = PbrtTestScene.Of("""
