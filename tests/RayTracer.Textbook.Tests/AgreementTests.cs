@@ -22,10 +22,15 @@ public class AgreementTests(ITestOutputHelper output)
     [MemberData(nameof(OracleScenes))]
     public void Both_editions_expect_the_same_picture(string scene) => Compare(scene, ["tests", "RayTracer.RenderTests", "Oracle", "scenes", $"{scene}.json"], null);
 
-    [Theory]
+    [SkippableTheory]
     [MemberData(nameof(ReferenceScenes))]
-    public void Both_editions_expect_the_same_picture_of_references(string scene) =>
-        Compare(scene, ["tests", "RayTracer.RenderTests", "References", "scenes", $"{scene}.json"], (32, 24));
+    public void Both_editions_expect_the_same_picture_of_references(string scene)
+    {
+        string[] path = ["tests", "RayTracer.RenderTests", "References", "scenes", $"{scene}.json"];
+        bool needsMore = File.ReadAllText(ProjectFolder.PathOf(path)).Contains("/shared/", StringComparison.Ordinal);
+        Skip.If(needsMore && ProjectFolder.Shared("references") is null, "the pictures that the scene shows are not here");
+        Compare(scene, path, (32, 24));
+    }
 
     [Theory]
     [InlineData("cornell.json")]
