@@ -27,7 +27,18 @@ internal static class ViewEndpoints
         view.MapPost("/render", (RenderRequest request) => session.View.Change(request.Apply, restart: request.Action == "restart"));
         view.MapPost("/snapshot", () => session.Snapshots.Capture());
         view.MapGet("/snapshot", (int id) => Results.Bytes(session.Snapshots.Png(id), "image/png"));
-        view.MapGet("/pixel", (int x, int y) => session.View.Loop.Pixel(x, y));
+        view.MapGet("/pixel", async (int x, int y) =>
+        {
+            try
+            {
+                return Results.Json(await session.View.Loop.Pixel(x, y));
+            }
+            catch (SessionException)
+            {
+                // Since the pointer was there, the picture has become another, or has gone.
+                return Results.Text("null", "application/json");
+            }
+        });
         view.MapGet("/mask", (string pointer, int? step) => Picking.Mask(session.View.RequireShown(), pointer, step ?? 1));
         view.MapPost("/gizmo", (HandlesRequest request) =>
         {

@@ -25,6 +25,7 @@ public class RandomWalk(ChromiumBrowser browser)
         // Answers to what cannot be done are no errors of the page, though the browser lists them.
         w.Expected.Add("the server responded with a status of 4");
         w.Expected.Add("refused: POST");
+        w.Expected.Add("/api/pick?");
         w.Expected.Add("the refusal: {\"error\":");
         await w.Painted();
         List<string> log = [];
