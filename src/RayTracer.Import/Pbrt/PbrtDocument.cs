@@ -55,7 +55,13 @@ internal sealed class PbrtDocument
     // Of directives that take numbers, how many.
     private static readonly Dictionary<string, int> s_numbers = new(StringComparer.Ordinal)
     {
-        ["Translate"] = 3, ["Scale"] = 3, ["Rotate"] = 4, ["LookAt"] = 9, ["Transform"] = 16, ["ConcatTransform"] = 16, ["TransformTimes"] = 2,
+        ["Translate"] = 3,
+        ["Scale"] = 3,
+        ["Rotate"] = 4,
+        ["LookAt"] = 9,
+        ["Transform"] = 16,
+        ["ConcatTransform"] = 16,
+        ["TransformTimes"] = 2,
     };
 
     private static readonly string[] s_plain =

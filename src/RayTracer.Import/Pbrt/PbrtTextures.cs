@@ -14,7 +14,11 @@ internal sealed class PbrtTextures(ImportReading reading, PbrtWorld world)
 
     private static readonly Dictionary<string, Interpolation> s_filters = new()
     {
-        ["point"] = Interpolation.Nearest, ["bilinear"] = Interpolation.Bilinear, ["trilinear"] = Interpolation.Bilinear, ["ewa"] = Interpolation.Bilinear, ["EWA"] = Interpolation.Bilinear,
+        ["point"] = Interpolation.Nearest,
+        ["bilinear"] = Interpolation.Bilinear,
+        ["trilinear"] = Interpolation.Bilinear,
+        ["ewa"] = Interpolation.Bilinear,
+        ["EWA"] = Interpolation.Bilinear,
     };
 
     private static readonly Dictionary<string, Wrapping> s_wrappings = new() { ["repeat"] = Wrapping.Repeat, ["clamp"] = Wrapping.Clamp };
