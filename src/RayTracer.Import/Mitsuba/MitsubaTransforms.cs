@@ -59,7 +59,6 @@ internal static class MitsubaTransforms
         return Transform.Rotation(axis, angle);
     }
 
-    // Columns: to the left of the picture, up, forward, and the origin.
     private static Transform? LookAt(MitsubaElement step, ImportLog log)
     {
         float[]? origin = MitsubaNumbers.Floats(step, "origin", log, 3);
@@ -78,15 +77,7 @@ internal static class MitsubaTransforms
         }
 
         Vector3 upward = Vector(up) == Vector3.Zero ? AnyPerpendicular(forward) : Vector(up);
-        Vector3 left = upward.Cross(forward).Unit();
-        if (!left.IsFinite())
-        {
-            return log.Fail<Transform?>(step.PlaceOf("up"), "the up direction of a lookat must not point from origin to target");
-        }
-
-        Vector3 top = forward.Cross(left);
-        return new Transform(
-            new(left.X, top.X, forward.X, eye.X), new(left.Y, top.Y, forward.Y, eye.Y), new(left.Z, top.Z, forward.Z, eye.Z));
+        return LookAtFrame.Of(eye, forward, upward) ?? log.Fail<Transform?>(step.PlaceOf("up"), "the up direction of a lookat must not point from origin to target");
     }
 
     private static Transform? Matrix(MitsubaElement step, ImportLog log)

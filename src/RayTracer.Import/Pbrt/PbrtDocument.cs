@@ -1,35 +1,9 @@
 using System.Globalization;
-using System.Numerics;
 using RayTracer.Description;
 using RayTracer.Numerics;
 using RayTracer.Scenes;
 
 namespace RayTracer.Import;
-
-/// <summary>The things of a scene, with what held where each of them stands.</summary>
-internal sealed class PbrtWorld
-{
-    /// <summary>The one thing of a kind of which a scene has one: camera, film, sampler, filter and integrator.</summary>
-    public Dictionary<string, PbrtThing> Only { get; } = new(StringComparer.Ordinal);
-
-    /// <summary>Shapes that are seen, and instances, in their order.</summary>
-    public List<PbrtThing> Shapes { get; } = [];
-
-    /// <summary>Lights that are no surfaces.</summary>
-    public List<PbrtThing> Lights { get; } = [];
-
-    /// <summary>Materials, by their names.</summary>
-    public Dictionary<string, PbrtThing> Materials { get; } = new(StringComparer.Ordinal);
-
-    /// <summary>Textures, by what they are of (float or spectrum) and their names.</summary>
-    public Dictionary<(string Of, string Name), PbrtThing> Textures { get; } = [];
-
-    /// <summary>Media, by their names.</summary>
-    public Dictionary<string, PbrtThing> Media { get; } = new(StringComparer.Ordinal);
-
-    /// <summary>Objects that instances show, by their names.</summary>
-    public Dictionary<string, List<PbrtThing>> Objects { get; } = new(StringComparer.Ordinal);
-}
 
 /// <summary>Carries out the directives of a scene's files.</summary>
 internal sealed class PbrtDocument
@@ -52,25 +26,13 @@ internal sealed class PbrtDocument
         ["Material"] = "material",
     };
 
-    // Of directives that take numbers, how many.
-    private static readonly Dictionary<string, int> s_numbers = new(StringComparer.Ordinal)
-    {
-        ["Translate"] = 3,
-        ["Scale"] = 3,
-        ["Rotate"] = 4,
-        ["LookAt"] = 9,
-        ["Transform"] = 16,
-        ["ConcatTransform"] = 16,
-        ["TransformTimes"] = 2,
-    };
-
     private static readonly string[] s_plain =
         ["Identity", "ReverseOrientation", "AttributeBegin", "AttributeEnd", "TransformBegin", "TransformEnd", "ObjectEnd", "WorldBegin", "WorldEnd"];
 
     private static readonly string[] s_named =
         ["CoordinateSystem", "CoordSysTransform", "ObjectBegin", "ObjectInstance", "Include", "Import", "ColorSpace", "NamedMaterial", "MakeNamedMaterial", "MakeNamedMedium", "MediumInterface", "Attribute", "Option", "ActiveTransform", "Texture"];
 
-    private static readonly string[] s_known = [.. s_things.Keys, .. s_numbers.Keys, .. s_plain, .. s_named];
+    private static readonly string[] s_known = [.. s_things.Keys, .. PbrtTransforms.Counts.Keys, .. s_plain, .. s_named];
 
     private readonly ImportLog _log;
     private readonly PbrtFiles _files;
@@ -114,7 +76,7 @@ internal sealed class PbrtDocument
                 _log.Unknown(token.Place, $"expected a directive, but found {Quotation.Of(word)}", token.Text, s_known);
                 SkipArguments(text);
             }
-            else if (s_numbers.TryGetValue(token.Text, out int count))
+            else if (PbrtTransforms.Counts.TryGetValue(token.Text, out int count))
             {
                 if (Numbers(text, token, count) is { } numbers)
                 {
@@ -198,73 +160,16 @@ internal sealed class PbrtDocument
         _object = token.Text == "ObjectEnd" ? null : _object;
     }
 
-    private void Move(PbrtToken token, float[] n)
+    private void Move(PbrtToken token, float[] numbers)
     {
-        switch (token.Text)
-        {
-            case "Translate":
-                Concat(token, Transform.Translation(new(n[0], n[1], n[2])));
-                break;
-            case "Scale":
-                Concat(token, Transform.Scaling(new(n[0], n[1], n[2])));
-                break;
-            case "Rotate" when new Vector3(n[1], n[2], n[3]) is var axis && axis.Norm() > 0 && axis.Unit().IsFinite():
-                Concat(token, Transform.Rotation(axis, n[0]));
-                break;
-            case "Rotate":
-                _log.Error(token.Place, "the axis of a rotation must not be 0");
-                break;
-            case "LookAt":
-                LookAt(token, new(n[0], n[1], n[2]), new(n[3], n[4], n[5]), new(n[6], n[7], n[8]));
-                break;
-            case "Transform" or "ConcatTransform" when n[3] == 0 && n[7] == 0 && n[11] == 0 && n[15] == 1:
-                // Column by column.
-                Transform matrix = new(new(n[0], n[4], n[8], n[12]), new(n[1], n[5], n[9], n[13]), new(n[2], n[6], n[10], n[14]));
-                _state = token.Text == "Transform" ? _state with { Place = Transform.Identity } : _state;
-                Concat(token, matrix);
-                break;
-            case "Transform" or "ConcatTransform":
-                _log.Error(token.Place, "the last row of a matrix, whose numbers stand column by column, must be 0 0 0 1");
-                break;
-            default:
-                // TransformTimes: the times of a second transform, which ActiveTransform refuses.
-                break;
-        }
-    }
-
-    private void Concat(PbrtToken token, in Transform map)
-    {
-        Transform all = _state.Place * map;
-        if (all.IsInvertible)
+        Transform before = token.Text == "Transform" ? Transform.Identity : _state.Place;
+        if (PbrtTransforms.Of(token.Text, numbers, out string? complaint) is { } map && before * map is { IsInvertible: true } all)
         {
             _state = _state with { Place = all };
         }
         else
         {
-            _log.Error(token.Place, "the transform flattens what follows, or has numbers too large or too small to compute with");
-        }
-    }
-
-    // The inverse of the frame with the columns right, up, forward and the eye.
-    private void LookAt(PbrtToken token, Vector3 eye, Vector3 target, Vector3 up)
-    {
-        Vector3 forward = (target - eye).Unit();
-        Vector3 right = up.Unit().Cross(forward).Unit();
-        if (!forward.IsFinite() || !right.IsFinite())
-        {
-            _log.Error(token.Place, "LookAt needs an eye, another point to look at, and a direction up that does not point from one to the other");
-            return;
-        }
-
-        Vector3 top = forward.Cross(right);
-        Transform frame = new(new(right.X, top.X, forward.X, eye.X), new(right.Y, top.Y, forward.Y, eye.Y), new(right.Z, top.Z, forward.Z, eye.Z));
-        if (frame.IsInvertible)
-        {
-            Concat(token, frame.Inverse());
-        }
-        else
-        {
-            _log.Error(token.Place, "LookAt has numbers too large or too small to compute with");
+            _log.Error(token.Place, complaint ?? "the transform flattens what follows, or has numbers too large or too small to compute with");
         }
     }
 

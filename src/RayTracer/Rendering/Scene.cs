@@ -22,6 +22,9 @@ public sealed class Scene
     private const int MostLightsOfPoint = 8;
     private readonly Interior[] _interiors;
 
+    // As the scene has it: another integrator may need the background as one.
+    private readonly EnvironmentLight? _given;
+
     private Scene(RenderDescription render, Camera camera, Rgb background, EnvironmentLight? environment, Rgb ambient, World world)
     {
         Render = render;
@@ -31,7 +34,8 @@ public sealed class Scene
         Sampler = render.Sampler.Create(render.SamplesPerPixel);
         Filter = PixelFilter.Create(render.Filter);
         World = world;
-        Environment = Surroundings(environment);
+        _given = environment;
+        Environment = Surroundings();
         Shapes = World.Itself.Shapes;
         Batches = World.Itself.Batches;
         Primitives = World.Itself.Primitives;
@@ -60,7 +64,8 @@ public sealed class Scene
         Sampler = render.Sampler.Create(render.SamplesPerPixel);
         Filter = PixelFilter.Create(render.Filter);
         World = other.World;
-        Environment = Surroundings(other.Environment);
+        _given = other._given;
+        Environment = Surroundings();
         Shapes = other.Shapes;
         Batches = other.Batches;
         Primitives = other.Primitives;
@@ -283,9 +288,9 @@ public sealed class Scene
     internal Scene Guided(PathGuide? guide, RenderDescription? render = null) => new(this, render ?? Render, guide);
 
     // Paths that come from the lights alone never get to what is behind everything: it has to be one of the lights.
-    private EnvironmentLight? Surroundings(EnvironmentLight? given)
+    private EnvironmentLight? Surroundings()
     {
-        EnvironmentLight? around = given ?? (Render.Integrator == Integrator.Light && !Background.IsBlack ? new ConstantEnvironment(Background) { Label = new(null, "background") } : null);
+        EnvironmentLight? around = _given ?? (Render.Integrator == Integrator.Light && !Background.IsBlack ? new ConstantEnvironment(Background) { Label = new(null, "background") } : null);
         around?.World = World;
         return around;
     }

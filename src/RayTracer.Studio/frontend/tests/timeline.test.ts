@@ -1,4 +1,4 @@
-import { beforeAll, expect, test } from "vitest";
+import { beforeAll, expect, test, vi } from "vitest";
 import { animatedAt, atTime } from "../src/timeline/atTime";
 import { pretendBrowser } from "./browser";
 
@@ -42,4 +42,24 @@ test("marks are a dozen, at round frames", () => {
 
 test("a way has gaps behind the eye", () => {
   expect(paths.pathOf([[0, 1], [2, 3], null, [4, 5]])).toBe("M0.0 1.0L2.0 3.0M4.0 5.0");
+});
+
+test("keys that are chosen while others are moved stay chosen", async () => {
+  const row = { keys: "/a/keys", label: "a", pointer: "/a", thing: null, isMotion: false, items: [0, 48].map((frame) => ({ frame, ease: "linear", value: 1 })) };
+  keys.rows.value = [row] as never;
+  let answer: (response: Response) => void = () => undefined;
+  vi.stubGlobal("fetch", () => new Promise<Response>((resolve) => (answer = resolve)));
+  const move = async (meanwhile: () => void) => {
+    keys.chosen.value = new Set([keys.nameOfKey("/a/keys", 48)]);
+    keys.moveKeys(-24, false);
+    meanwhile();
+    answer(new Response("{}"));
+    // All that follows the answer is done before the next task.
+    await new Promise((resolve) => setTimeout(resolve));
+    return [...keys.chosen.value];
+  };
+  expect(await move(() => undefined)).toEqual([keys.nameOfKey("/a/keys", 24)]);
+  const other = keys.nameOfKey("/a/keys", 0);
+  expect(await move(() => (keys.chosen.value = new Set([other])))).toEqual([other]);
+  vi.unstubAllGlobals();
 });

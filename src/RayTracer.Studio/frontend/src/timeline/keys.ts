@@ -24,6 +24,13 @@ export const choice = computed(() => choiceOf(rows.value, chosen.value));
 
 const framesOf = () => choice.value.flatMap((c) => c.numbers.map((i) => rows.value.find((r) => r.keys === c.keys)!.items[i]!.frame));
 
+/** Chooses what an edit has made of the keys, unless others were chosen while it was on its way. */
+async function edit(request: Promise<unknown>, made: ReadonlySet<string>): Promise<void> {
+  const before = chosen.value;
+  await request;
+  if (chosen.value === before) chosen.value = made;
+}
+
 /** Moves the chosen keys, or puts copies of them elsewhere; what was moved stays chosen. */
 export const moveKeys = (frames: number, copies: boolean, gesture?: string) =>
   attempt(async () => {
@@ -31,14 +38,12 @@ export const moveKeys = (frames: number, copies: boolean, gesture?: string) =>
     const by = Math.max(frames, -Math.min(...framesOf()));
     if (keys.length === 0 || by === 0) return;
     const moved = new Set(keys.flatMap((c) => c.numbers.map((i) => nameOfKey(c.keys, rows.value.find((r) => r.keys === c.keys)!.items[i]!.frame + by))));
-    await post("timeline/move", { keys, frames: by, copies, gesture });
-    chosen.value = moved;
+    await edit(post("timeline/move", { keys, frames: by, copies, gesture }), moved);
   });
 
 export const removeKeys = () =>
   attempt(async () => {
-    if (choice.value.length > 0) await post("timeline/remove", { keys: choice.value });
-    chosen.value = new Set();
+    await edit(choice.value.length > 0 ? post("timeline/remove", { keys: choice.value }) : Promise.resolve(), new Set());
   });
 
 export const easeKeys = (ease: string) => attempt(() => post("timeline/ease", { keys: choice.value, ease }));
