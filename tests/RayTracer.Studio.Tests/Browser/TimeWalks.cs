@@ -44,8 +44,13 @@ public class TimeWalks(ChromiumBrowser browser)
         await x.PressAsync("Enter");
         await w.Text("there is a key", t => t.Contains("\"time\": 0.41666666", StringComparison.Ordinal) && t.Contains("\"position\": [0, 1.6, 6]", StringComparison.Ordinal));
         ILocator made = Key(w, "camera.position", 10);
+        float top = (await made.BoundingBoxAsync())!.Y;
         await made.FocusAsync();
         await made.PressAsync("Space");
+        await Expect(made).ToHaveAttributeAsync("aria-pressed", "true");
+
+        // What is done with chosen keys has its place before any is: none moves away from under the pointer.
+        Assert.Equal(top, (await made.BoundingBoxAsync())!.Y);
         await made.PressAsync("ArrowRight");
         await Expect(Key(w, "camera.position", 11)).ToHaveAttributeAsync("aria-pressed", "true");
         await w.Page.GetByRole(AriaRole.Combobox, new() { Name = "Until the next key", Exact = true }).SelectOptionAsync("step");

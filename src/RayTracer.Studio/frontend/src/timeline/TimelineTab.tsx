@@ -31,13 +31,10 @@ function Bar() {
       </label>
       <span class="quiet">{now.frame === null ? t.written : t.of(now.frames, (now.frames / now.framesPerSecond).toFixed(2), now.framesPerSecond)}</span>
       <span class="spring" />
-      {isAny && (
-        <>
-          <Select label={t.ease} tip={t.easeWhy} value={chosenEases.size === 1 ? [...chosenEases][0]! : ""} choices={chosenEases.size === 1 ? eases : [{ value: "", label: "…" }, ...eases]} onChange={(e) => e && easeKeys(e)} />
-          <Button label={t.copy} icon="copy" onClick={copyToPlayhead} />
-          <Button label={t.remove} icon="trash" onClick={removeKeys} />
-        </>
-      )}
+      {/* There without chosen keys, too: a bar that gets another line moves the keys away from under the pointer. */}
+      <Select label={t.ease} tip={t.easeWhy} value={chosenEases.size === 1 ? [...chosenEases][0]! : ""} choices={chosenEases.size === 1 ? eases : [{ value: "", label: "…" }, ...eases]} disabled={!isAny} onChange={(e) => e && easeKeys(e)} />
+      <Button label={t.copy} icon="copy" disabled={!isAny} onClick={copyToPlayhead} />
+      <Button label={t.remove} icon="trash" disabled={!isAny} onClick={removeKeys} />
       <Button label={t.paths} tip={t.pathsWhy} icon="move" pressed={showsPaths.value} onClick={() => (showsPaths.value = !showsPaths.value)} />
       <Button {...commandButton("animate")} showLabel kind="plain" />
     </div>

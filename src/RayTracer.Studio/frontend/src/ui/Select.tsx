@@ -5,15 +5,16 @@ interface SelectProps {
   onChange: (value: string) => void;
   tip?: string | undefined;
   id?: string;
+  disabled?: boolean;
 }
 
 /** The browser's own list of choices, in groups where they are given. */
-export function Select({ label, value, choices, onChange, tip, id }: SelectProps) {
+export function Select({ label, value, choices, onChange, tip, id, disabled }: SelectProps) {
   const groups = [...new Set(choices.map((c) => c.group))];
   const options = (group: string | undefined) =>
     choices.filter((c) => c.group === group).map((c) => <option value={c.value} selected={c.value === value}>{c.label}</option>);
   return (
-    <select id={id} aria-label={label} data-tip={tip} value={value} onChange={(e) => onChange(e.currentTarget.value)}>
+    <select id={id} aria-label={label} data-tip={tip} disabled={disabled} value={value} onChange={(e) => onChange(e.currentTarget.value)}>
       {groups.map((group) => (group === undefined ? options(group) : <optgroup label={group}>{options(group)}</optgroup>))}
     </select>
   );
