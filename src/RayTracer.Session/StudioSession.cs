@@ -125,7 +125,7 @@ public sealed class StudioSession : IDisposable
             return;
         }
 
-        View.Begin(start, start?.Header.Total ?? origin.GivenSamples, start is null ? origin.Crop : start.Header.Crop);
+        View.Begin(start, start?.Header.Total ?? origin.GivenSamples, start is null ? origin.Crop : start.Header.Crop, origin.Edition);
     }
 
     /// <summary>Ends all work, and keeps what is not saved.</summary>

@@ -43,7 +43,7 @@ internal sealed record ToneState(float Exposure, ExposureRule Rule, ToneMap Tone
 /// <summary>The progress of the picture, as reported to pages.</summary>
 internal sealed record RenderState(
     string Status, int Width, int Height, int Samples, int SamplesTotal, double RaysPerSecond, double Seconds, double? SecondsLeft, double? Noise,
-    int Threads, int Cores, string Map, int[]? Region, RenderQuality? Quality, bool IsPreview, long BadSamples, bool FiltersMotion, string? Legend)
+    int Threads, int Cores, string Map, int[]? Region, RenderQuality? Quality, bool IsPreview, long BadSamples, bool FiltersMotion, string? Legend, string Edition, IReadOnlyList<string> Editions)
 {
     /// <summary>That of a view, by what is known of its picture and what the user wants.</summary>
     public static RenderState Of(RenderStatus status, ViewSettings settings)
@@ -51,6 +51,7 @@ internal sealed record RenderState(
         int[]? region = settings.Region is { } r ? [r.X, r.Y, r.Width, r.Height] : null;
         return new(
             status.Status, status.Width, status.Height, status.Samples, status.SamplesTotal, status.RaysPerSecond, status.Seconds, status.SecondsLeft, status.Noise,
-            settings.Threads, Environment.ProcessorCount, settings.Map.Name, region, settings.Quality, status.IsPreview, status.BadSamples, settings.FiltersMotion, status.Legend);
+            settings.Threads, Environment.ProcessorCount, settings.Map.Name, region, settings.Quality, status.IsPreview, status.BadSamples, settings.FiltersMotion, status.Legend,
+            settings.Edition ?? ViewSettings.Editions[0], ViewSettings.Editions);
     }
 }

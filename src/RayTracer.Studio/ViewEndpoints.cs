@@ -59,9 +59,9 @@ internal static class ViewEndpoints
     internal sealed record ToneRequest(float? Exposure, ExposureRule? Rule, ToneMap? ToneMap);
 
     /// <summary>The changes of the settings; what is null stays.</summary>
-    internal sealed record RenderRequest(string? Action, int? Samples, int? Threads, RenderQuality? Quality, int[]? Region, string? Map, bool? FiltersMotion)
+    internal sealed record RenderRequest(string? Action, int? Samples, int? Threads, RenderQuality? Quality, int[]? Region, string? Map, bool? FiltersMotion, string? Edition)
     {
-        public ViewSettings Apply(ViewSettings settings) => settings with
+        public ViewSettings Apply(ViewSettings settings) => (Edition is null ? settings : settings.WithEdition(Edition)) with
         {
             Mode = Action switch
             {

@@ -5,8 +5,12 @@ namespace RayTracer.Testing;
 /// <summary>What the environment asks of the tests.</summary>
 public static class TestSettings
 {
-    /// <summary>Whether <c>RAYTRACER_THOROUGH=1</c> asks for more seeds, angles and samples.</summary>
-    public static bool Thorough { get; } = Environment.GetEnvironmentVariable("RAYTRACER_THOROUGH") == "1";
+    private static readonly string s_thorough = Environment.GetEnvironmentVariable("RAYTRACER_THOROUGH") ?? "";
+
+    /// <summary>
+    /// Whether <c>RAYTRACER_THOROUGH</c> asks for more seeds, angles and samples: <c>1</c> for all of them, <c>some</c> for as many as CI has time for.
+    /// </summary>
+    public static bool Thorough { get; } = s_thorough is "1" or "some";
 
     /// <summary>
     /// Selects the random numbers of all statistical tests: <c>RAYTRACER_TEST_SEED</c>, by default 0. The tests must hold with
@@ -15,6 +19,7 @@ public static class TestSettings
     public static int Seed { get; } =
         int.TryParse(Environment.GetEnvironmentVariable("RAYTRACER_TEST_SEED"), CultureInfo.InvariantCulture, out int seed) ? seed : 0;
 
-    /// <summary>One number for every day, and another for a thorough run.</summary>
-    public static int Scale(int everyday, int thorough) => Thorough ? thorough : everyday;
+    /// <summary>One number for every day, and another for a thorough run; their geometric mean where that has little time.</summary>
+    public static int Scale(int everyday, int thorough) =>
+        s_thorough == "some" ? (int)double.Ceiling(double.Sqrt((double)everyday * thorough)) : Thorough ? thorough : everyday;
 }

@@ -170,7 +170,7 @@ internal sealed class SceneBuilds(Action built) : IDisposable
         }
 
         int? frame = ReferenceEquals(shown, read) && !FrameTimes.IsMoving(read) ? null : order.Frame;
-        GoodScene? good = load.Scene is { } scene ? new(order.Revision, order.Text, shown, scene) { Document = order.Epoch, Frame = frame } : lastGood;
+        GoodScene? good = load.Scene is { } scene ? new(order.Revision, order.Text, shown, scene) { Load = load, Document = order.Epoch, Frame = frame } : lastGood;
         return new(order.Revision, order.Text, read, load, good);
     }
 
@@ -226,6 +226,9 @@ public sealed record DocumentContent(int Revision, string Text, SceneReadResult 
 /// <param name="Scene">The scene.</param>
 public sealed record GoodScene(int Revision, string Text, SceneReadResult Read, Scene Scene)
 {
+    /// <summary>The result of building it, by which files that it names are read again; null where it was not built from a text.</summary>
+    public SceneLoadResult? Load { get; init; }
+
     /// <summary>The number of the document that it is of: grows whenever another one is opened.</summary>
     public int Document { get; init; }
 

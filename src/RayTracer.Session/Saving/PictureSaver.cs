@@ -134,7 +134,7 @@ public sealed class PictureSaver(SceneDocument document, PictureView view, JobLi
     }
 
     private static RenderJob FrameOf(ViewportScene taken) =>
-        new() { Scene = "", Frames = taken.Good.Frame is { } frame ? new(frame, frame, 1) : null };
+        new() { Scene = "", Edition = taken.Settings.Edition, Frames = taken.Good.Frame is { } frame ? new(frame, frame, 1) : null };
 
     private FilmHeader Header(ViewportScene taken, FilmScene scene) => new()
     {
@@ -148,7 +148,7 @@ public sealed class PictureSaver(SceneDocument document, PictureView view, JobLi
         Scene = scene.File,
         Tone = PictureTone.Text(new ImageWriteOptions().For(taken.Scene.Render)),
         Settings = taken.Start?.Header is { } begun ? OldFilms.Settings(begun) : FrameOf(taken).FilmSettings,
-        Software = ProgramName.Text,
+        Software = ProgramName.Text + Edition.Software(taken.Settings.Edition),
     };
 }
 

@@ -33,6 +33,7 @@ internal sealed class ViewJobs(SceneDocument document, PictureView view, JobList
             Outputs = [output ?? Path.ChangeExtension(path, ".png")],
             Settings = hasOwnSamples ? [SceneSetting.Parse($"{RenderJob.SamplesPath}={settings.Samples}")] : [],
             Crop = settings.Region,
+            Edition = settings.Edition,
             Threads = settings.Threads,
             Frames = view.Shown?.Good.Frame is { } frame ? new(frame, frame, 1) : null,
             Writing = tone?.Writing ?? new(),

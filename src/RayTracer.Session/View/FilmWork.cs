@@ -1,5 +1,6 @@
 using System.Diagnostics;
 using RayTracer.Description;
+using RayTracer.Jobs;
 using RayTracer.Rendering;
 using RayTracer.Textures;
 
@@ -22,6 +23,7 @@ internal sealed class FilmWork(FrameBoard frames)
     private readonly DenoisedPicture _denoised = new();
     private readonly PublishPace _pace = new();
     private SlicePlan _plan = new(default, 0);
+    private Textbook.Renderer? _textbook;
     private long _rays;
     private double _seconds;
     private double _rendered;
@@ -142,7 +144,8 @@ internal sealed class FilmWork(FrameBoard frames)
         RenderDescription render = wanted.Scene.Render;
         (int width, int height) = (render.Width, render.Height);
         Film? begun = wanted.Start?.Take();
-        IReadOnlyList<FilmPlane> planes = FilmPlane.Needed(render.Integrator, noise: true);
+        _textbook = wanted.ReadTextbook();
+        IReadOnlyList<FilmPlane> planes = FilmPlane.Needed(render.Integrator, noise: _textbook is null);
         if (Film?.Width == width && Film.Height == height && Film.Planes.SequenceEqual(planes))
         {
             Film.Clear();
@@ -159,7 +162,7 @@ internal sealed class FilmWork(FrameBoard frames)
         Film = begun ?? Film;
         Shown = wanted;
         _samplesBefore = begun is null ? wanted.First : wanted.Start!.Held.End;
-        _plan = new SlicePlan(wanted.Area, wanted.Samples, render.Integrator.Has(IntegratorTraits.TracesLight)).From(_samplesBefore);
+        _plan = new SlicePlan(wanted.Area, wanted.Samples, _textbook is not null || render.Integrator.Has(IntegratorTraits.TracesLight)).From(_samplesBefore);
         _isFromFile = _samplesBefore > wanted.First;
         BeginPreviews(wanted, (long)width * height);
 
@@ -261,7 +264,8 @@ internal sealed class FilmWork(FrameBoard frames)
         Slice slice = _plan.Next(_seconds, _rendered > 0 ? _seconds / _rendered : 0);
         long start = Stopwatch.GetTimestamp();
         RenderOptions options = new() { Threads = wanted.Settings.Threads, Crop = slice.Area, Samples = slice.Samples };
-        RenderStatistics statistics = new RTracer(wanted.Scene, options).Render(Film!, null, cancellation);
+        RenderStatistics statistics = _textbook is null ? new RTracer(wanted.Scene, options).Render(Film!, null, cancellation)
+            : new TextbookRender(_textbook, options).Render(Film!, null, cancellation);
         if (statistics.Cancelled)
         {
             return;

@@ -31,6 +31,7 @@ public sealed class PictureView : IDisposable
         _document = document;
         Loop = new(Frames);
         Loop.StatusChanged += () => Changed?.Invoke();
+        Loop.Failed += _ => LeaveEdition();
         document.Changed += Follow;
         Follow();
     }
@@ -109,7 +110,7 @@ public sealed class PictureView : IDisposable
         {
             ViewSettings wanted = change(_settings);
             Check(wanted);
-            bool isOther = restart || wanted.Region != _settings.Region;
+            bool isOther = restart || wanted.Region != _settings.Region || wanted.Edition != _settings.Edition;
             _settings = wanted;
             Show(_document.Content.LastGood, isOther);
         }
@@ -121,12 +122,13 @@ public sealed class PictureView : IDisposable
     /// <param name="start">The film; null for none.</param>
     /// <param name="samples">Samples that each pixel gets; null for as many as the scene says.</param>
     /// <param name="region">The part of the picture; null for all.</param>
-    internal void Begin(FilmStart? start, int? samples, Tile? region)
+    /// <param name="edition">The edition that rendered it; null for the fast one.</param>
+    internal void Begin(FilmStart? start, int? samples, Tile? region, string? edition)
     {
         lock (_lock)
         {
             (_start, _startPlace, _startPicture) = (start, _document.Place, 0);
-            _settings = _settings with { Samples = samples, Region = region, Mode = RenderMode.Running, Map = ViewMap.Light };
+            _settings = _settings with { Samples = samples, Region = region, Mode = RenderMode.Running, Map = ViewMap.Light, Edition = edition };
             if (_place == _startPlace)
             {
                 Show(_document.Content.LastGood, restart: true);
@@ -151,12 +153,13 @@ public sealed class PictureView : IDisposable
 
     /// <summary>The hash of everything that decides the value of a sample.</summary>
     internal static string ContentOf(ViewportScene shown, string folder) =>
-        ContentHash.Of(Rendered(shown), ScenePath(folder), shown.Settings.Region);
+        Edition.Content(ContentHash.Of(Rendered(shown), ScenePath(folder), shown.Settings.Region), shown.Settings.Edition);
 
     private static bool IsOf(FilmHeader header, ViewportScene shown, string folder) =>
         OldFilms.Current(header, Rendered(shown), ScenePath(folder), shown.Settings.Region).Content == ContentOf(shown, folder);
 
-    private static SceneDescription Rendered(ViewportScene shown) =>
+    /// <summary>The description of what is rendered: with the view's camera and samples.</summary>
+    internal static SceneDescription Rendered(ViewportScene shown) =>
         shown.Description with { Camera = shown.Camera, Render = shown.Scene.Render };
 
     private static string ScenePath(string folder) => Path.Combine(folder, "scene.json");
@@ -217,6 +220,12 @@ public sealed class PictureView : IDisposable
             throw new SessionException("The number of samples must be from 1 to 16777216.");
         }
 
+        if (settings.Edition is not null && (!Edition.Words.Contains(settings.Edition) || settings.Map == ViewMap.Denoised))
+        {
+            throw new SessionException(settings.Map == ViewMap.Denoised
+                ? "The textbook edition has no denoiser: show the light, or choose the fast edition." : $"There is no edition \"{settings.Edition}\".");
+        }
+
         if (_shown is not { } shown)
         {
             return;
@@ -236,6 +245,15 @@ public sealed class PictureView : IDisposable
     private static bool IsWithin(Tile region, RenderDescription render) =>
         region.X >= 0 && region.Y >= 0 && region.Width >= 1 && region.Height >= 1
         && region.X <= render.Width - region.Width && region.Y <= render.Height - region.Height;
+
+    // What the textbook edition cannot render, the fast one can.
+    private void LeaveEdition()
+    {
+        if (Settings.Edition is not null)
+        {
+            Change(s => s with { Edition = null });
+        }
+    }
 
     // The document has changed, or has been built.
     private void Follow()

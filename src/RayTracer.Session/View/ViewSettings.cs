@@ -19,6 +19,15 @@ public sealed record ViewSettings(RenderMode Mode = RenderMode.Running, Tile? Re
     /// <summary>The map that is shown.</summary>
     public ViewMap Map { get; init; } = ViewMap.Light;
 
+    /// <summary>The names of the editions of the renderer, the fast one first.</summary>
+    public static IReadOnlyList<string> Editions => Jobs.Edition.Words;
+
+    /// <summary>The edition that renders, as <c>--edition</c> names it; null for the fast one.</summary>
+    public string? Edition { get; init; }
+
+    /// <summary>The same settings with an edition by its name.</summary>
+    public ViewSettings WithEdition(string name) => this with { Edition = name == Editions[0] ? null : name };
+
     /// <summary>The same in words; null where there are none for it.</summary>
     public RenderQuality? Quality => Samples is { } samples && Enum.IsDefined((RenderQuality)samples) ? (RenderQuality)samples : null;
 }

@@ -1,5 +1,6 @@
 using System.Numerics;
 using RayTracer.Description;
+using RayTracer.Jobs;
 using RayTracer.Numerics;
 using RayTracer.Rendering;
 using RayTracer.Scenes;
@@ -44,6 +45,19 @@ public sealed record ViewportScene(
 
     /// <summary>Width of the picture over its height.</summary>
     public float Aspect => (float)Scene.Render.Width / Scene.Render.Height;
+
+    /// <summary>Reads the scene into the textbook edition, where the user chose that; else null.</summary>
+    /// <exception cref="SessionException">It lacks something that the scene has.</exception>
+    internal Textbook.Renderer? ReadTextbook()
+    {
+        if (Settings.Edition is null || Good.Load is not { } load)
+        {
+            return null;
+        }
+
+        Textbook.Renderer? renderer = Edition.Renderer(Settings.Edition, load with { Description = PictureView.Rendered(this) }, out IReadOnlyList<Diagnostic> refused);
+        return renderer ?? throw new SessionException($"{refused[0]}; the fast edition renders it");
+    }
 
     /// <summary>
     /// The middle of all that has an end, and half the diagonal of the box around it; the origin and 1 where there is nothing.

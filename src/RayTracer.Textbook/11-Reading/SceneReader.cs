@@ -85,7 +85,8 @@ public sealed class SceneReader(Func<string, bool, Picture>? loadPicture = null,
 
         if (render.Sampler == SamplerKind.Jittered || render.Sampler == SamplerKind.Sobol)
         {
-            int side = (int)Math.Max(1, Math.Sqrt(render.SamplesPerPixel));
+            // What stands for Sobol's numbers must not depend on how many samples there will be: pictures may be given more.
+            int side = render.Sampler == SamplerKind.Sobol ? 4 : (int)Math.Max(1, Math.Sqrt(render.SamplesPerPixel));
             return stream => new StratifiedSampler(side, Seed(render.Seed, stream));
         }
 

@@ -156,6 +156,52 @@ public sealed class FilmTests
         Assert.Throws<SessionException>(() => test.Session.Files.Open(film));
     }
 
+    [Theory]
+    [InlineData("textbook")]
+    [InlineData("textbook:printed")]
+    public async Task A_film_of_the_textbook_edition_is_gone_on_with_by_it(string edition)
+    {
+        using TestSession test = new();
+        string scene = await Written(test);
+        RenderJob job = new() { Scene = scene, Outputs = [Path.Combine(test.Folder, "whole.rtfilm")], Edition = edition };
+        string whole = Job(job);
+        RenderJob first = job with { Outputs = [Path.Combine(test.Folder, "first.rtfilm")], Samples = new(0, 3) };
+        Job(first);
+
+        await OpenFile(test, scene);
+        test.Session.View.Change(s => s with { Edition = edition });
+        Assert.Equal(whole, await test.FilmHash());
+
+        // The Studio goes on with the command's film, and the command with the Studio's.
+        await OpenFile(test, first.Outputs[0]);
+        Assert.Equal(edition, test.Session.View.Settings.Edition);
+        Assert.Equal(whole, await test.FilmHash());
+        string own = await Film(test, "own.rtfilm", stopAt: 3);
+        Assert.Equal(whole, Job(job with { Outputs = [own], Resumed = HeldFilm.Read(own) }));
+
+        // By the other edition it is another picture.
+        test.Session.View.Change(s => s with { Edition = null });
+        Assert.Equal(Rendered(scene, 8), await test.FilmHash());
+        test.Session.View.Change(s => s with { Edition = edition });
+        Assert.Contains($"--edition {edition}", test.Session.Pictures.Command(), StringComparison.Ordinal);
+    }
+
+    [Fact]
+    public async Task What_the_textbook_edition_lacks_is_named_and_the_fast_one_renders()
+    {
+        using TestSession test = new();
+        test.Session.View.Change(s => s.WithEdition("textbook"));
+        await test.Open(Scene.Replace("\"report\"", "\"bidirectional\"", StringComparison.Ordinal));
+        Notice notice = await test.Until(() => test.Session.Notices.Newest);
+        Assert.Contains("test.json:3:29: error: the textbook edition has no integrator \"bidirectional\"", notice.Text, StringComparison.Ordinal);
+        Assert.Contains("the fast edition renders it", notice.Text, StringComparison.Ordinal);
+        await test.Done();
+        Assert.Null(test.Session.View.Settings.Edition);
+        Assert.Throws<SessionException>(() => test.Session.View.Change(s => s.WithEdition("slow")));
+    }
+
+    private static string Job(RenderJob job) => new JobRun(job, new SessionWatch(new Progress<double>(), 1, default)).Run(CancellationToken.None)!.Hash!;
+
     private static async Task<string> Written(TestSession test)
     {
         string scene = Path.Combine(test.Folder, "scene.json");

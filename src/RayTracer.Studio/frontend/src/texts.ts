@@ -25,6 +25,10 @@ function textsOf(t: typeof english) {
     files: {
       ...t.files,
     },
+    render: {
+      ...t.render,
+      editions: t.render.editions as Words,
+    },
     background: {
       ...t.background,
       remove: (name: string) => fill(t.background.remove, { name }),

@@ -400,6 +400,8 @@ export interface RenderState {
   badSamples: number;
   filtersMotion: boolean;
   legend: string | null;
+  edition: string;
+  editions: string[];
 }
 
 export interface ReportTime {

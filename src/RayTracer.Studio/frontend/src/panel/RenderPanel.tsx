@@ -56,6 +56,13 @@ export function RenderPanel() {
         </div>
         <span class="no-reset" />
       </div>
+      <div class="row">
+        <div class="row-label" data-tip={t.editionWhy}><label for="edition">{t.edition}</label></div>
+        <div class="row-field">
+          <Select id="edition" label={t.edition} value={render.edition} choices={render.editions.map((value) => ({ value, label: t.editions[value] ?? value }))} onChange={(edition) => set({ edition })} />
+        </div>
+        <span class="no-reset" />
+      </div>
       <h2>{t.more}</h2>
       <ThingPanel pointer="/render" without={[]} />
     </section>
