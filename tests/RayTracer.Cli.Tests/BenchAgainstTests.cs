@@ -27,7 +27,8 @@ public sealed class BenchAgainstTests : IDisposable
         Assert.InRange(one.GetProperty("time").GetDouble(), 0.5, 2);
     }
 
-    [LinuxFact]
+    [ThoroughFact]
+    [Trait("Category", "Thorough")]
     public void A_build_that_traces_a_quarter_of_the_samples_has_four_times_the_noise()
     {
         // The same program, with a number of samples that replaces the one before it.

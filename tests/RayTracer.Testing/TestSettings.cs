@@ -19,7 +19,10 @@ public static class TestSettings
     public static int Seed { get; } =
         int.TryParse(Environment.GetEnvironmentVariable("RAYTRACER_TEST_SEED"), CultureInfo.InvariantCulture, out int seed) ? seed : 0;
 
-    /// <summary>One number for every day, and another for a thorough run; their geometric mean where that has little time.</summary>
-    public static int Scale(int everyday, int thorough) =>
-        s_thorough == "some" ? (int)double.Ceiling(double.Sqrt((double)everyday * thorough)) : Thorough ? thorough : everyday;
+    /// <summary>One number for every day, and another for a thorough run; about their geometric mean where that has little time.</summary>
+    public static int Scale(int everyday, int thorough) => s_thorough == "some" ? Between(everyday, thorough) : Thorough ? thorough : everyday;
+
+    // A power of two between powers of two, which some sequences of samples need.
+    private static int Between(int a, int b) => int.IsPow2(a) && int.IsPow2(b)
+        ? 1 << ((int.Log2(a) + int.Log2(b)) / 2) : (int)double.Ceiling(double.Sqrt((double)a * b));
 }

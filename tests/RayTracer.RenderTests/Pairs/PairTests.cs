@@ -49,12 +49,12 @@ public class PairTests
     [Theory]
     [MemberData(nameof(Scenes))]
     public void A_scene_looks_like_an_equal_one_that_is_made_otherwise(int number) =>
-        Compare($"scene {number}", new(s_scenes.Rows[number], Samples: 4), seeds: TestSettings.Scale(12, 64));
+        Compare($"scene {number}", new(s_scenes.Rows[number], Samples: 4), seeds: TestSettings.Scale(8, 64));
 
     [Theory]
     [MemberData(nameof(FewFeatures))]
     public void A_scene_with_few_features_looks_like_an_equal_one_that_is_made_otherwise(int samples, string features) =>
-        Compare("few features", PairScene.Of(samples, features.Split(", ")), seeds: TestSettings.Scale(16, 32));
+        Compare("few features", PairScene.Of(samples, features.Split(", ")), seeds: TestSettings.Scale(10, 32));
 
     private static void Compare(string name, PairScene scene, int seeds)
     {
