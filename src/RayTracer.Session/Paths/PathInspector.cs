@@ -47,9 +47,11 @@ public sealed class PathInspector(PictureView view) : ISessionPart<PathInspector
     }
 
     private static IEnumerable<InspectedPath> Trace(ViewportScene shown, int x, int y, SampleRange samples) =>
-        new PathTracing(shown.Scene).Trace(x, y, samples).Select(p => Of(shown, p));
+        // Reading a scene of the textbook edition builds its tree.
+        shown.ReadTextbook() is { } textbook ? new TextbookPaths(shown, textbook).Trace(x, y, samples)
+            : new PathTracing(shown.Scene).Trace(x, y, samples).Select(p => Of(shown, p));
 
-    private static SampleRange Check(ViewportScene shown, int x, int y, int first, int count)
+    internal static SampleRange Check(ViewportScene shown, int x, int y, int first, int count)
     {
         RenderDescription render = shown.Scene.Render;
         if (x < 0 || y < 0 || x >= render.Width || y >= render.Height || first < 0 || first >= render.SamplesPerPixel)

@@ -317,7 +317,7 @@ internal sealed class FilmWork(FrameBoard frames)
         Publish(wanted, _plan.Samples == 0, picture =>
         {
             PicturePainter.Paint(Film!, _preview, picture);
-            if (wanted.Settings.FiltersMotion && _movingPlan.ShareAfter(_plan.Samples, wanted.Samples) is > 0 and var share)
+            if (wanted.Settings.FiltersMotion && _textbook is null && _movingPlan.ShareAfter(_plan.Samples, wanted.Samples) is > 0 and var share)
             {
                 PicturePainter.Blend(_preview, share, picture);
             }

@@ -25,19 +25,19 @@ internal sealed record Method(string Name, string Colour, string Law, Func<doubl
     /// <summary>All that are measured.</summary>
     public static IReadOnlyList<Method> All { get; } =
     [
-        OfTree("plain loop", "#c1440e", "n", n => n, s => new PlainLoop(s)),
-        OfTree("uniform grid", "#8e5ba6", "∛n", Math.Cbrt, s => new UniformGrid(s)),
-        OfTree("kd-tree", "#2e7d32", "log₂ n", Math.Log2, s => new KdTree(s)),
-        OfTree("octree", "#b58900", "log₂ n", Math.Log2, s => new Octree(s)),
-        OfTree("quadtree", "#d33682", "log₂ n", Math.Log2, s => new Quadtree(s)),
-        OfTree("BSP tree", "#6c71c4", "log₂ n", Math.Log2, s => new BspTree(s)),
-        OfTree("boxes by median", "#586e75", "log₂ n", Math.Log2, s => new BoundingVolumes(s, isHalved: true)),
-        OfTree("boxes by area", "#333333", "log₂ n", Math.Log2, s => new BoundingVolumes(s)),
-        OfTree("oriented boxes", "#7f4f24", "log₂ n", Math.Log2, s => new OrientedBoxes(s)),
+        OfTree("plain loop", "#c1440e", "n", n => n),
+        OfTree("uniform grid", "#8e5ba6", "∛n", Math.Cbrt),
+        OfTree("kd-tree", "#2e7d32", "log₂ n", Math.Log2),
+        OfTree("octree", "#b58900", "log₂ n", Math.Log2),
+        OfTree("quadtree", "#d33682", "log₂ n", Math.Log2),
+        OfTree("BSP tree", "#6c71c4", "log₂ n", Math.Log2),
+        OfTree("boxes by median", "#586e75", "log₂ n", Math.Log2),
+        OfTree("boxes by area", "#333333", "log₂ n", Math.Log2),
+        OfTree("oriented boxes", "#7f4f24", "log₂ n", Math.Log2),
         new("BVH, single rays", "#1f5fa8", "log₂ n", Math.Log2, m => new BvhTracer(m, streams: false)),
         new("BVH, streams", "#0b8f9c", "log₂ n", Math.Log2, m => new BvhTracer(m, streams: true)),
     ];
 
-    private static Method OfTree(string name, string colour, string law, Func<double, double> growth, Func<IReadOnlyList<IShape>, IAccelerator> build) =>
-        new(name, colour, law, growth, mesh => new TreeTracer(mesh, build));
+    private static Method OfTree(string name, string colour, string law, Func<double, double> growth) =>
+        new(name, colour, law, growth, mesh => new TreeTracer(mesh, Trees.All[name]));
 }

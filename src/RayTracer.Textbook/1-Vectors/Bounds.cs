@@ -14,6 +14,9 @@ public readonly record struct Bounds(Vector Low, Vector High)
     /// <summary>The middle.</summary>
     public Vector Middle => 0.5 * (Low + High);
 
+    /// <summary>The eight corners.</summary>
+    public Vector[] Corners => [Low, new(High.X, Low.Y, Low.Z), new(Low.X, High.Y, Low.Z), new(High.X, High.Y, Low.Z), new(Low.X, Low.Y, High.Z), new(High.X, Low.Y, High.Z), new(Low.X, High.Y, High.Z), High];
+
     /// <summary>The lengths of the edges.</summary>
     public Vector Size => High - Low;
 

@@ -8,6 +8,9 @@ namespace RayTracer.Textbook;
 /// <param name="newSampler">Makes a source of random numbers, by the number of a stream: rays have the first, paths from lights the second.</param>
 public sealed class Renderer(Scene scene, IIntegrator integrator, int width, int height, Func<int, ISampler> newSampler)
 {
+    /// <summary>The scene.</summary>
+    public Scene Scene => scene;
+
     /// <summary>Renders one sample of each pixel.</summary>
     /// <param name="sample">Number of the sample, from 0.</param>
     /// <param name="threads">The number of threads.</param>
@@ -16,9 +19,7 @@ public sealed class Renderer(Scene scene, IIntegrator integrator, int width, int
     /// <exception cref="OperationCanceledException">It was ended early.</exception>
     public Rgb[] Pass(int sample, int threads = 1, CancellationToken cancellation = default)
     {
-        ISampler ofLight = newSampler(1);
-        ofLight.Begin(-1, -1, sample);
-        integrator.BeginPass(scene, sample, width * height, ofLight);
+        Begin(sample);
         Rgb[] pixels = new Rgb[width * height];
         ParallelOptions options = new() { MaxDegreeOfParallelism = threads, CancellationToken = cancellation };
         Parallel.For(0, height, options, () => newSampler(0), (y, _, sampler) => Row(pixels, y, sample, sampler), _ => { });
@@ -30,17 +31,41 @@ public sealed class Renderer(Scene scene, IIntegrator integrator, int width, int
         return pixels;
     }
 
+    /// <summary>Renders one sample of a pixel again, while somebody looks; paths from lights are not followed.</summary>
+    /// <param name="x">The pixel's column.</param>
+    /// <param name="y">The pixel's row.</param>
+    /// <param name="sample">Number of the sample, from 0.</param>
+    /// <param name="witness">Sees what becomes of its rays.</param>
+    /// <returns>The light that the pixel gets of its own rays.</returns>
+    public Rgb Follow(int x, int y, int sample, IWitness witness)
+    {
+        Begin(sample);
+        return Pixel(scene.WatchedBy(witness), x, y, sample, newSampler(0));
+    }
+
+    private void Begin(int sample)
+    {
+        ISampler ofLight = newSampler(1);
+        ofLight.Begin(-1, -1, sample);
+        integrator.BeginPass(scene, sample, width * height, ofLight);
+    }
+
     private ISampler Row(Rgb[] pixels, int y, int sample, ISampler sampler)
     {
         for (int x = 0; x < width; x++)
         {
-            sampler.Begin(x, y, sample);
-            (double u, double v) = sampler.Next2();
-            Ray ray = scene.Camera.RayThrough(x + u, y + v, sampler);
-            pixels[(y * width) + x] = integrator.Radiance(scene, ray, sampler);
+            pixels[(y * width) + x] = Pixel(scene, x, y, sample, sampler);
         }
 
         return sampler;
+    }
+
+    private Rgb Pixel(Scene seen, int x, int y, int sample, ISampler sampler)
+    {
+        sampler.Begin(x, y, sample);
+        (double u, double v) = sampler.Next2();
+        Ray ray = seen.Camera.RayThrough(x + u, y + v, sampler);
+        return integrator.Radiance(seen, ray, sampler);
     }
 
     // As many paths from the lights as there are pixels, each of which may light any of them: one sample of all is their mean.

@@ -4,12 +4,13 @@ namespace RayTracer.Textbook;
 /// <param name="Shape">The shape.</param>
 /// <param name="Material">How it scatters light.</param>
 /// <param name="Light">The light that it is; null where it does not shine.</param>
-public sealed record Thing(IShape Shape, IMaterial Material, AreaLight? Light = null);
+/// <param name="Source">What it was made from; null where that is not known.</param>
+public sealed record Thing(IShape Shape, IMaterial Material, AreaLight? Light = null, object? Source = null);
 
 /// <summary>All that rays can meet, and what lights it.</summary>
 public sealed class Scene
 {
-    private readonly Thing[] _things;
+    private Thing[] _things;
     private readonly int _bounded;
     private readonly IAccelerator _tree;
     private readonly Distribution _choice;
@@ -46,6 +47,12 @@ public sealed class Scene
     /// <summary>The camera.</summary>
     public ICamera Camera { get; }
 
+    /// <summary>The things; those without end come last.</summary>
+    public IReadOnlyList<Thing> Things => _things;
+
+    /// <summary>Sees what becomes of rays; null where nobody looks.</summary>
+    public IWitness? Witness { get; private set; }
+
     /// <summary>All sources of light.</summary>
     public IReadOnlyList<ILight> Lights { get; }
 
@@ -61,6 +68,14 @@ public sealed class Scene
     /// <summary>True where something has no end.</summary>
     public bool IsEndless => _bounded < _things.Length;
 
+    /// <summary>The same scene, with somebody who looks.</summary>
+    public Scene WatchedBy(IWitness witness)
+    {
+        Scene watched = (Scene)MemberwiseClone();
+        (watched.Witness, watched._things) = (witness, Array.ConvertAll(_things, t => t with { Material = witness.Watch(t.Material) }));
+        return watched;
+    }
+
     /// <summary>Finds what a ray meets first.</summary>
     /// <param name="ray">The ray, with a unit direction.</param>
     /// <param name="hit">What it meets.</param>
@@ -68,15 +83,16 @@ public sealed class Scene
     public bool Intersect(in Ray ray, out Hit hit)
     {
         hit = Hit.None();
-        if (!Find(ray, ref hit))
+        bool isHit = Find(ray, ref hit);
+        if (isHit)
         {
-            return false;
+            hit.Thing = _things[hit.Index];
+            hit.Thing.Shape.Describe(ray, ref hit);
+            hit.Face(ray.Direction);
         }
 
-        hit.Thing = _things[hit.Index];
-        hit.Thing.Shape.Describe(ray, ref hit);
-        hit.Face(ray.Direction);
-        return true;
+        Witness?.Met(ray, hit, isHit);
+        return isHit;
     }
 
     /// <summary>True where nothing stands between a ray's origin and a distance (the report's shadow ray, section 4.3.1).</summary>

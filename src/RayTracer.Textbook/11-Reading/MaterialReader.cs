@@ -113,21 +113,13 @@ internal sealed class MaterialReader(Refusals refusals, Func<string, bool, Pictu
     }
 
     /// <summary>What surrounds a scene; null for darkness.</summary>
-    public IEnvironment? Environment(SceneDescription scene)
+    public IEnvironment? Environment(SceneDescription scene) => scene.Environment switch
     {
-        switch (scene.Environment)
-        {
-            case null:
-                return scene.Background.IsBlack ? null : new EvenEnvironment(scene.Background);
-            case ConstantEnvironmentDescription c:
-                return new EvenEnvironment(c.Radiance);
-            case ImageEnvironmentDescription i:
-                return new ImageEnvironment(i.Picture ?? Picture(i, nameof(i.File), i.File, i.Raw), i.Scale, ShapeReader.Place(i.Transform));
-            default:
-                refusals.Type(scene.Environment, "environment", "constant and image");
-                return null;
-        }
-    }
+        null => scene.Background.IsBlack ? null : new EvenEnvironment(scene.Background),
+        ConstantEnvironmentDescription c => new EvenEnvironment(c.Radiance),
+        ImageEnvironmentDescription i => new ImageEnvironment(i.Picture ?? Picture(i, nameof(i.File), i.File, i.Raw), i.Scale, ShapeReader.Place(i.Transform)),
+        _ => (IEnvironment?)refusals.Type(scene.Environment, "environment", "constant and image"),
+    };
 
     private Reflectance Reflectance(MetalDescription metal)
     {

@@ -18,16 +18,19 @@ internal sealed class Refusals
     /// <param name="record">The record.</param>
     /// <param name="kind">What it is one of: "shape", "material" …</param>
     /// <param name="known">The types that there are.</param>
-    public void Type(object record, string kind, string known) =>
+    /// <returns>Null, in the place of what there is not.</returns>
+    public object? Type(object record, string kind, string known) =>
         Say(record, null, $"the textbook edition has no {kind} of type \"{RecordType.Of(record.GetType()).Name}\": it has {known}");
 
     /// <summary>Refuses something about a parameter.</summary>
-    public void Say(object record, string? property, string message)
+    public object? Say(object record, string? property, string message)
     {
         if (!_complaints.Exists(c => ReferenceEquals(c.Subject, record) && c.Property == property))
         {
             _complaints.Add(new(record, property, message, IsError: true));
         }
+
+        return null;
     }
 
     /// <summary>Refuses the parameters of a record that are given, except for those that are understood.</summary>

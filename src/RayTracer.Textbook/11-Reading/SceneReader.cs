@@ -49,30 +49,18 @@ public sealed class SceneReader(Func<string, bool, Picture>? loadPicture = null,
         return new(scene, method, render.Width, render.Height, samplers);
     }
 
-    private IIntegrator? Integrator(RenderDescription render, string? own)
+    private IIntegrator? Integrator(RenderDescription render, string? own) => (own ?? render.Integrator.Name) switch
     {
-        switch (own ?? render.Integrator.Name)
-        {
-            case "whitted":
-                return new WhittedIntegrator(render.MaxSpecularDepth);
-            case "printed":
-                return new ReportIntegrator(render.MaxDiffuseDepth, render.MaxSpecularDepth, isAsPrinted: true);
-            case "report":
-                return new ReportIntegrator(render.MaxDiffuseDepth, render.MaxSpecularDepth, isAsPrinted: false);
-            case "direct":
-                return new DirectIntegrator();
-            case "path":
-                return new PathIntegrator(render.MaxDepth, render.RouletteDepth);
-            case "light":
-                return new LightPathIntegrator(render.MaxDepth, render.RouletteDepth);
-            case "photons":
-                return new PhotonIntegrator(render.MaxDepth, render.RouletteDepth, render.MergeRadius);
-            default:
-                _refusals.Say(
-                    render, nameof(render.Integrator), $"the textbook edition has no integrator \"{render.Integrator.Name}\": it has report, direct, path, light and photons");
-                return null;
-        }
-    }
+        "whitted" => new WhittedIntegrator(render.MaxSpecularDepth),
+        "printed" => new ReportIntegrator(render.MaxDiffuseDepth, render.MaxSpecularDepth, isAsPrinted: true),
+        "report" => new ReportIntegrator(render.MaxDiffuseDepth, render.MaxSpecularDepth, isAsPrinted: false),
+        "direct" => new DirectIntegrator(),
+        "path" => new PathIntegrator(render.MaxDepth, render.RouletteDepth),
+        "light" => new LightPathIntegrator(render.MaxDepth, render.RouletteDepth),
+        "photons" => new PhotonIntegrator(render.MaxDepth, render.RouletteDepth, render.MergeRadius),
+        var other => (IIntegrator?)_refusals.Say(
+            render, nameof(render.Integrator), $"the textbook edition has no integrator \"{other}\": it has report, direct, path, light and photons"),
+    };
 
     private Func<int, ISampler>? Samplers(RenderDescription render)
     {

@@ -78,7 +78,7 @@ internal sealed class ShapeReader(Refusals refusals, MaterialReader materials, F
             default:
                 if (Shape(shape) is { } own)
                 {
-                    AddThing(own, place, material);
+                    AddThing(own, place, material, shape);
                 }
 
                 break;
@@ -93,42 +93,32 @@ internal sealed class ShapeReader(Refusals refusals, MaterialReader materials, F
         }
     }
 
-    private void AddThing(IShape shape, Transform place, MaterialDescription material)
+    private void AddThing(IShape shape, Transform place, MaterialDescription material, ShapeDescription source)
     {
         IShape placed = place == Transform.Identity ? shape : new Placed(shape, place);
         AreaLight? light = materials.Luminaire(material) is { } luminaire ? new(placed, luminaire) : null;
-        Things.Add(new(placed, materials.Material(material), light));
+        Things.Add(new(placed, materials.Material(material), light, source));
     }
 
-    private IShape? Shape(ShapeDescription shape)
+    private IShape? Shape(ShapeDescription shape) => shape switch
     {
-        switch (shape)
-        {
-            case SphereDescription s:
-                return new Sphere(s.Center, s.Radius);
-            case PlaneDescription { Size: { } size } p:
-                (Vector right, Vector up) = Box.Sides(((Vector)p.Normal).Unit);
-                (right, up) = (right * size.X, up * size.Y);
-                return new Rectangle(p.Point - (0.5 * (right + up)), right, up);
-            case PlaneDescription p:
-                (right, up) = Box.Sides(((Vector)p.Normal).Unit);
-                return new Plane(p.Point, right, up);
-            case DiskDescription d:
-                (right, up) = Box.Sides(((Vector)d.Normal).Unit);
-                (right, up) = (right * (2 * d.Radius), up * (2 * d.Radius));
-                return new Disk(d.Center - (0.5 * (right + up)), right, up);
-            case RectangleDescription r:
-                return new Rectangle(r.Corner, r.EdgeU, r.EdgeV);
-            case TriangleDescription t:
-                return new Triangle(t.A, t.B, t.C, (new(t.UvA.X, t.UvA.Y, 0), new(t.UvB.X, t.UvB.Y, 0), new(t.UvC.X, t.UvC.Y, 0)));
-            case BoxDescription b:
-                return new Box(Bounds.Around(b.A, b.B));
-            case TorusDescription t:
-                return new Placed(new Torus(t.Radius, t.TubeRadius), Upright(t.Center, ((Vector)t.Axis).Unit));
-            default:
-                refusals.Type(shape, "shape", Known);
-                return null;
-        }
+        SphereDescription s => new Sphere(s.Center, s.Radius),
+        PlaneDescription { Size: { } size } p => Around(p.Point, p.Normal, size.X, size.Y, (corner, right, up) => new Rectangle(corner, right, up)),
+        PlaneDescription p when Box.Sides(((Vector)p.Normal).Unit) is var (right, up) => new Plane(p.Point, right, up),
+        DiskDescription d => Around(d.Center, d.Normal, 2 * d.Radius, 2 * d.Radius, (corner, right, up) => new Disk(corner, right, up)),
+        RectangleDescription r => new Rectangle(r.Corner, r.EdgeU, r.EdgeV),
+        TriangleDescription t => new Triangle(t.A, t.B, t.C, (new(t.UvA.X, t.UvA.Y, 0), new(t.UvB.X, t.UvB.Y, 0), new(t.UvC.X, t.UvC.Y, 0))),
+        BoxDescription b => new Box(Bounds.Around(b.A, b.B)),
+        TorusDescription t => new Placed(new Torus(t.Radius, t.TubeRadius), Upright(t.Center, ((Vector)t.Axis).Unit)),
+        _ => (IShape?)refusals.Type(shape, "shape", Known),
+    };
+
+    // Something flat around a point, by its corner and its sides.
+    private static IShape Around(Vector middle, Vector normal, double width, double height, Func<Vector, Vector, Vector, IShape> make)
+    {
+        (Vector right, Vector up) = Box.Sides(normal.Unit);
+        (right, up) = (right * width, up * height);
+        return make(middle - (0.5 * (right + up)), right, up);
     }
 
     // From around the y axis to around another, so that pictures that are wrapped around still face +z where that is level.
@@ -191,7 +181,7 @@ internal sealed class ShapeReader(Refusals refusals, MaterialReader materials, F
 
         foreach ((Mesh part, int number) in parts)
         {
-            AddThing(part, place, wanted.Materials.Count > 0 ? wanted.Materials[number] : material);
+            AddThing(part, place, wanted.Materials.Count > 0 ? wanted.Materials[number] : material, wanted);
         }
     }
 

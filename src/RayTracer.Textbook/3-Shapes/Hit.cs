@@ -42,6 +42,9 @@ public struct Hit
     /// <summary>The number of shapes that it was tested against.</summary>
     public int Tests;
 
+    /// <summary>Is shown each node that is visited, by the corners of its box or of the plane that cuts it, and the tests before; null where nobody looks.</summary>
+    public Action<Vector[], int>? Watch;
+
     /// <summary>A hit with nothing yet.</summary>
     /// <param name="limit">The distance beyond which nothing counts.</param>
     public static Hit None(double limit = double.PositiveInfinity) => new() { Distance = limit };

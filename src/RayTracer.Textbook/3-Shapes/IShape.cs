@@ -18,6 +18,9 @@ public interface IShape
         return (middle - reach, middle + reach);
     }
 
+    /// <summary>The shapes that it consists of, for trees of all of them; mostly itself.</summary>
+    IEnumerable<IShape> Parts => [this];
+
     /// <summary>Its area; infinite where it has no end.</summary>
     double Area { get; }
 

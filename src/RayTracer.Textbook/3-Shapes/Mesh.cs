@@ -32,6 +32,9 @@ public sealed class Mesh : IShape
     public Bounds Bounds { get; }
 
     /// <inheritdoc/>
+    public IEnumerable<IShape> Parts => _triangles;
+
+    /// <inheritdoc/>
     public double Area => _areas.Sum;
 
     /// <inheritdoc/>

@@ -13,6 +13,9 @@ public sealed class Placed(IShape shape, Transform place) : IShape
     /// <inheritdoc/>
     public Bounds Bounds { get; } = shape.Bounds.IsFinite ? place.Box(shape.Bounds) : Bounds.Everywhere;
 
+    /// <inheritdoc/>
+    public IEnumerable<IShape> Parts => shape.Parts.Select(part => new Placed(part, place));
+
     /// <summary>Of maps that scale all directions alike; of others a mean.</summary>
     public double Area { get; } = shape.Area * Math.Pow(Math.Abs(place.Determinant), 2.0 / 3);
 

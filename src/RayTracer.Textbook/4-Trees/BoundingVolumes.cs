@@ -54,6 +54,7 @@ public sealed class BoundingVolumes : IAccelerator
             double begin = 0;
             double end = hit.Distance;
             hit.Visits++;
+            hit.Watch?.Invoke(node.Bounds.Corners, hit.Tests);
             if (!node.Bounds.Cut(ray, ref begin, ref end))
             {
                 continue;

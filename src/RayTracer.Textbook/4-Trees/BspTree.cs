@@ -40,9 +40,32 @@ public sealed class BspTree : IAccelerator
         return _shapes.Count > 0 && _bounds.Grown(_slack).Cut(ray, ref begin, ref end) && Visit(_root, ray, begin, end, ref hit);
     }
 
+    // Where a node's plane cuts the box around all, corner after corner; nothing for a leaf.
+    private Vector[] Polygon(Node node)
+    {
+        if (node.Behind is null)
+        {
+            return [];
+        }
+
+        Vector[] corners = _bounds.Corners;
+        double[] heights = Array.ConvertAll(corners, c => Vector.Dot(c, node.Normal) - node.At);
+        Frame plane = new(node.Normal);
+        Vector[] cuts =
+        [
+            .. from i in Enumerable.Range(0, 8)
+               from axis in new[] { 1, 2, 4 }
+               where (i & axis) == 0 && heights[i] * heights[i | axis] < 0
+               select corners[i] + ((heights[i] / (heights[i] - heights[i | axis])) * (corners[i | axis] - corners[i])),
+        ];
+        Vector middle = cuts.Aggregate(default(Vector), (sum, c) => sum + c) * (1.0 / Math.Max(1, cuts.Length));
+        return [.. cuts.OrderBy(c => plane.ToLocal(c - middle) is var v ? Math.Atan2(v.Y, v.X) : 0)];
+    }
+
     private bool Visit(Node node, in Ray ray, double begin, double end, ref Hit hit)
     {
         hit.Visits++;
+        hit.Watch?.Invoke(Polygon(node), hit.Tests);
         bool isHit = false;
         if (node.Behind is null)
         {

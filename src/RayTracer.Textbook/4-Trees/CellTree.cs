@@ -38,6 +38,7 @@ public abstract class CellTree : IAccelerator
     private bool Visit(Cell cell, in Ray ray, ref Hit hit)
     {
         hit.Visits++;
+        hit.Watch?.Invoke(cell.Box.Corners, hit.Tests);
         bool isHit = false;
         foreach (int shape in cell.Shapes)
         {

@@ -26,6 +26,7 @@ public sealed class OrientedBoxes : IAccelerator
         double begin = 0;
         double end = hit.Distance;
         hit.Visits++;
+        hit.Watch?.Invoke(Array.ConvertAll(node.Box.Corners, node.Frame.ToWorld), hit.Tests);
         Ray turned = new(node.Frame.ToLocal(ray.Origin), node.Frame.ToLocal(ray.Direction));
         if (!node.Box.Cut(turned, ref begin, ref end))
         {

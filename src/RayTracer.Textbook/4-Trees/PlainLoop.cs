@@ -10,6 +10,7 @@ public sealed class PlainLoop(IReadOnlyList<IShape> shapes) : IAccelerator
         bool isHit = false;
         for (int i = 0; i < shapes.Count; i++)
         {
+            hit.Watch?.Invoke(shapes[i].Bounds.Corners, hit.Tests);
             hit.Tests++;
             if (shapes[i].Intersect(ray, ref hit))
             {

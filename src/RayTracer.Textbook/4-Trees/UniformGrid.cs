@@ -68,6 +68,7 @@ public sealed class UniformGrid : IAccelerator
         while (true)
         {
             hit.Visits++;
+            hit.Watch?.Invoke(BoxOf(cell).Corners, hit.Tests);
             isHit |= Test(cell, ray, ref hit);
             int axis = wall[0] <= wall[1] && wall[0] <= wall[2] ? 0 : wall[1] <= wall[2] ? 1 : 2;
             cell[axis] += step[axis];
@@ -78,6 +79,13 @@ public sealed class UniformGrid : IAccelerator
 
             wall[axis] += apart[axis];
         }
+    }
+
+    private Bounds BoxOf(Span<int> cell)
+    {
+        Vector size = new(_bounds.Size.X / _counts[0], _bounds.Size.Y / _counts[1], _bounds.Size.Z / _counts[2]);
+        Vector low = _bounds.Low + new Vector(cell[0] * size.X, cell[1] * size.Y, cell[2] * size.Z);
+        return new(low, low + size);
     }
 
     private bool Test(Span<int> cell, in Ray ray, ref Hit hit)

@@ -110,7 +110,7 @@ internal sealed class LightPath(Scene scene, ISampler sampler, int rouletteDepth
         // Roulette by the share of its first power that is left.
         Rgb left = new(Share(Power.R, _start.R), Share(Power.G, _start.G), Share(Power.B, _start.B));
         Rgb before = left;
-        if (left.IsBlack || _hit.Leaks(direction, scattered.Direction.Z) || (Edges >= rouletteDepth && !PathIntegrator.Survives(ref left, sampler.Next())))
+        if (left.IsBlack || _hit.Leaks(direction, scattered.Direction.Z) || (Edges >= rouletteDepth && !PathIntegrator.Survives(scene, ref left, sampler.Next())))
         {
             return false;
         }

@@ -15,8 +15,9 @@ public static class LightSampling
     /// <param name="weight">
     /// A weight by the density of the light's point and the direction to it, where the same light may be found in another way; null for none.
     /// </param>
+    /// <param name="chance">The probability with which the light was chosen.</param>
     public static Rgb FromLight(
-        Scene scene, ILight light, in Hit hit, ISampler sampler, BsdfOf bsdf, Func<double, Vector, double>? weight = null)
+        Scene scene, ILight light, in Hit hit, ISampler sampler, BsdfOf bsdf, Func<double, Vector, double>? weight = null, double chance = 1)
     {
         // From where the shadow ray starts, a little off the surface: seen from the surface itself, a lamp that nearly touches it would stand in its
         // own light.
@@ -28,13 +29,11 @@ public static class LightSampling
 
         Vector toLight = hit.Frame.ToLocal(sample.Direction);
         Rgb scattered = bsdf(hit, toLight) * Math.Abs(toLight.Z);
-        if (scattered.IsBlack || hit.Leaks(sample.Direction, toLight.Z) || !scene.IsFree(new(start, sample.Direction), sample.Distance))
-        {
-            return default;
-        }
-
-        double share = light.IsPoint ? 1 : weight?.Invoke(sample.Pdf, toLight) ?? 1;
-        return scattered * sample.Radiance * (share / sample.Pdf);
+        bool arrives = !scattered.IsBlack && !hit.Leaks(sample.Direction, toLight.Z) && scene.IsFree(new(start, sample.Direction), sample.Distance);
+        double share = !arrives ? 0 : light.IsPoint || weight is null ? 1 : weight(chance * sample.Pdf, toLight);
+        Rgb added = arrives ? scattered * sample.Radiance * (share / (chance * sample.Pdf)) : default;
+        scene.Witness?.Asked(light, sample, chance, scattered, share, added);
+        return added;
     }
 
     /// <summary>
@@ -54,11 +53,10 @@ public static class LightSampling
         (ILight light, double chance) = scene.ChooseLight(sampler.Next());
         IMaterial material = hit.Thing!.Material;
         Hit here = hit;
-        Rgb found = FromLight(
+        return FromLight(
             scene, light, hit, sampler,
             (in Hit at, Vector toLight) => material.Evaluate(at, toViewer, toLight),
-            (pdf, toLight) => Share(chance * pdf, material.Pdf(here, toViewer, toLight)));
-        return found * (1 / chance);
+            (pdf, toLight) => Share(pdf, material.Pdf(here, toViewer, toLight)), chance);
     }
 
     /// <summary>
@@ -85,7 +83,9 @@ public static class LightSampling
         }
 
         double share = pdf == 0 ? 1 : Share(pdf, scene.Chance(lamp) * lamp.Pdf(ray.Origin, hit));
-        return lamp.Radiance(ray.Direction, hit) * share;
+        Rgb radiance = lamp.Radiance(ray.Direction, hit);
+        scene.Witness?.Shone(radiance, share);
+        return radiance * share;
     }
 
     /// <summary>The light of what surrounds the scene, where a ray meets nothing; weighted as <see cref="Emitted"/>.</summary>
@@ -100,7 +100,9 @@ public static class LightSampling
         }
 
         double share = pdf == 0 ? 1 : Share(pdf, scene.Chance(around) * around.Pdf(ray.Direction));
-        return around.Radiance(ray.Direction) * share;
+        Rgb radiance = around.Radiance(ray.Direction);
+        scene.Witness?.Shone(radiance, share);
+        return radiance * share;
     }
 }
 

@@ -30,7 +30,7 @@ internal static class MirrorPath
             }
 
             throughput *= mirror.Weight;
-            if (throughput.IsBlack || (edges >= rouletteDepth && !PathIntegrator.Survives(ref throughput, sampler.Next())))
+            if (throughput.IsBlack || (edges >= rouletteDepth && !PathIntegrator.Survives(scene, ref throughput, sampler.Next())))
             {
                 return light;
             }

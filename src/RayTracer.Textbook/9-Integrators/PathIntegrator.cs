@@ -39,7 +39,7 @@ public sealed class PathIntegrator(int maxDepth, int rouletteDepth) : IIntegrato
 
             Vector direction = hit.Frame.ToWorld(scattered.Direction);
             throughput *= DirectIntegrator.Weight(hit, toViewer, scattered);
-            if (throughput.IsBlack || hit.Leaks(direction, scattered.Direction.Z) || (edges >= rouletteDepth && !Survives(ref throughput, sampler.Next())))
+            if (throughput.IsBlack || hit.Leaks(direction, scattered.Direction.Z) || (edges >= rouletteDepth && !Survives(scene, ref throughput, sampler.Next())))
             {
                 return light;
             }
@@ -52,9 +52,10 @@ public sealed class PathIntegrator(int maxDepth, int rouletteDepth) : IIntegrato
     /// <summary>
     /// Roulette: a path that carries little mostly ends, and those that go on make up for the others, so that the mean stays (Arvo &amp; Kirk 1990).
     /// </summary>
-    internal static bool Survives(ref Rgb throughput, double random)
+    internal static bool Survives(Scene scene, ref Rgb throughput, double random)
     {
         double survival = Math.Min(throughput.Largest, 0.95);
+        scene.Witness?.Survived(survival);
         throughput *= 1 / survival;
         return random < survival;
     }

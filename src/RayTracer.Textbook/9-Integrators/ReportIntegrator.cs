@@ -21,7 +21,7 @@ public sealed class ReportIntegrator(int maxDiffuseDepth, int maxSpecularDepth, 
         // Line 38: the background.
         if (!scene.Intersect(ray, out Hit hit))
         {
-            return scene.Environment?.Radiance(ray.Direction) ?? default;
+            return LightSampling.FromAround(scene, ray, pdf: 0);
         }
 
         IMaterial material = hit.Thing!.Material;
@@ -29,9 +29,9 @@ public sealed class ReportIntegrator(int maxDiffuseDepth, int maxSpecularDepth, 
         Rgb color = default;
 
         // Lines 13 to 15: find the emitted radiance.
-        if (countEmittedLight && hit.Thing.Light is { } lamp)
+        if (countEmittedLight)
         {
-            color += lamp.Radiance(ray.Direction, hit);
+            color += LightSampling.Emitted(scene, ray, hit, pdf: 0);
         }
 
         // Line 18: find ambient light.

@@ -14,12 +14,12 @@ public sealed class WhittedIntegrator(int maxDepth) : IIntegrator
     {
         if (!scene.Intersect(ray, out Hit hit))
         {
-            return scene.Environment?.Radiance(ray.Direction) ?? default;
+            return LightSampling.FromAround(scene, ray, pdf: 0);
         }
 
         IMaterial material = hit.Thing!.Material;
         Vector toViewer = hit.Frame.ToLocal(-ray.Direction);
-        Rgb color = hit.Thing.Light?.Radiance(ray.Direction, hit) ?? default;
+        Rgb color = LightSampling.Emitted(scene, ray, hit, pdf: 0);
         color += scene.Ambient * material.Ambient(hit, toViewer);
         foreach (ILight light in scene.Lights)
         {

@@ -55,6 +55,34 @@ public class InsideWalks(ChromiumBrowser browser)
         await StudioWindow.Until("the address names the pixel", async () => (await w.Page.EvaluateAsync<string>("location.hash")).StartsWith("#pixel=40,90&sample=", StringComparison.Ordinal));
     }
 
+    [SkippableFact]
+    public async Task The_textbook_edition_renders_and_a_ray_goes_through_its_trees()
+    {
+        await using StudioWindow w = await StudioWindow.Open(browser, "report/scene2", new() { ViewportSize = new() { Width = 1280, Height = 800 } });
+        await w.Painted(2);
+        await w.Tab("Render");
+        await w.Page.GetByLabel("Edition", new() { Exact = true }).SelectOptionAsync("textbook:whitted");
+        await StudioWindow.Until("the textbook edition renders",
+            () => Task.FromResult(w.Session.View is { Settings.Edition: "textbook:whitted", Loop.Status: { Samples: > 0, RaysPerSecond: 0 } }));
+
+        await w.Button("Inspect a pixel").ClickAsync();
+        await w.Click(0.36, 0.6);
+        ILocator table = w.Page.GetByRole(AriaRole.Region, new() { Name = "Vertices of the path" });
+        await Expect(table).ToContainTextAsync("glass ball");
+        await Expect(table).ToContainTextAsync("branch");
+
+        await w.Button("Trees").ClickAsync();
+        await table.GetByLabel("Tree", new() { Exact = true }).SelectOptionAsync("boxes by area");
+        ILocator status = table.GetByRole(AriaRole.Status);
+        await Expect(status).ToContainTextAsync("Node 0 of");
+        await w.Button("Next node").ClickAsync();
+        await w.Button("Next node").ClickAsync();
+        await Expect(status).ToContainTextAsync("Node 2 of");
+        await table.GetByLabel("Node", new() { Exact = true }).PressAsync("End");
+        await Expect(w.Button("Next node")).ToBeDisabledAsync();
+        await w.Shot("trees", isShown: true);
+    }
+
     [ThoroughFact]
     [Trait("Category", "Thorough")]
     public async Task Where_light_is_traced_too_the_ways_of_a_pixel_are_listed_and_drawn()

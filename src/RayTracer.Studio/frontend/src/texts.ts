@@ -89,6 +89,11 @@ function textsOf(t: typeof english) {
       outcomes: t.paths.outcomes as Words, ends: t.paths.ends as Words, techniques: t.paths.techniques as Words,
       events: t.paths.events as Words, eventsWhy: t.paths.eventsWhy as Words,
     },
+    trees: {
+      ...t.trees,
+      at: (n: number, last: number, tests: number) => fill(t.trees.at, { n, last, tests }),
+      sum: (shapes: number, visits: number, tests: number) => fill(t.trees.sum, { shapes, visits, tests }),
+    },
     convergence: {
       ...t.convergence,
       slope: (s: string) => fill(t.convergence.slope, { s }),

@@ -473,6 +473,22 @@ export interface ToneState {
   rules: ExposureRule[];
 }
 
+export interface TreeStep {
+  lines: Vec3[][];
+  tests: number;
+}
+
+export interface TreeWalk {
+  tree: string;
+  shapes: number;
+  visits: number;
+  tests: number;
+  start: Vec3;
+  end: Vec3;
+  isHit: boolean;
+  steps: TreeStep[];
+}
+
 export interface TypeCatalogue {
   schema: Json;
   types: Record<string, CatalogueType[]>;

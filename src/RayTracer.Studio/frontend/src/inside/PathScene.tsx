@@ -8,7 +8,7 @@ import { isDark } from "../state/settings";
 import { revision, selection } from "../state/store";
 import { texts } from "../texts";
 import { SceneDrawing, type Palette } from "./drawScene";
-import { litSamples, openVertex, pointedVertex, wireframe } from "./paths";
+import { litSamples, openVertex, pointedVertex, step, walk, wireframe } from "./paths";
 import { around, nearer, newOrbit, turned } from "./orbit";
 
 const palettes: Record<"light" | "dark", Palette> = {
@@ -46,6 +46,7 @@ export function PathScene({ samples, chosen, way }: PathSceneProps) {
 
   const [scene, eye, selected, dark] = [wireframe.value, orbit.value, selection.value, isDark()];
   const [lit, marked] = [litSamples.value, pointedVertex.value >= 0 ? pointedVertex.value : openVertex.value];
+  const [walked, shownStep] = [walk.value, step.value];
   useEffect(() => {
     const canvas = ref.current!;
     if (!scene || !eye || size.width === 0) return;
@@ -61,9 +62,10 @@ export function PathScene({ samples, chosen, way }: PathSceneProps) {
     for (const s of samples) if (s.sample !== chosen && (!lit || lit.includes(s.sample))) drawing.path(s, false, 2 * reach);
     const own = samples.find((s) => s.sample === chosen);
     if (own) drawing.path(own, true, 2 * reach, marked);
+    if (walked) drawing.walk(walked, shownStep);
     const lightPart = own?.ways[way];
     if (lightPart) drawing.way(lightPart);
-  }, [scene, eye, size, samples, chosen, way, selected, dark, lit, marked]);
+  }, [scene, eye, size, samples, chosen, way, selected, dark, lit, marked, walked, shownStep]);
 
   const turn = (yaw: number, pitch: number) => orbit.value && (orbit.value = turned(orbit.value, yaw, pitch));
   const approach = (factor: number) => orbit.value && (orbit.value = nearer(orbit.value, factor));

@@ -13,6 +13,7 @@ import { rgb } from "./format";
 import { chosenSample, chosenWay, drawsAll, firstSample, followPaths, litSamples, openVertex, paths, pointedVertex } from "./paths";
 import { PathScene } from "./PathScene";
 import { PixelBars } from "./PixelBars";
+import { TreeStepper } from "./TreeStepper";
 import { VertexEquation } from "./VertexEquation";
 import type { DockTab } from "../shell/Dock";
 
@@ -94,17 +95,17 @@ function VertexTable({ sample }: { sample: InspectedPath }) {
   );
 }
 
-const view = signal<"sample" | "pixel">("sample");
+const view = signal<"sample" | "pixel" | "tree">("sample");
 
-/** One sample, vertex by vertex, or what all of them together say. */
+/** One sample, vertex by vertex, what all of them together say, or the way of a ray through a tree. */
 function Explanation({ sample }: { sample: InspectedPath | undefined }) {
   return (
     <div class="vertices" role="region" aria-label={t.table} tabIndex={0}>
       <div class="group" role="group" aria-label={t.views}>
-        {(["sample", "pixel"] as const).map((v) => <Button key={v} label={t.viewNames[v]} showLabel pressed={view.value === v} onClick={() => (view.value = v)} />)}
+        {(["sample", "pixel", "tree"] as const).map((v) => <Button key={v} label={t.viewNames[v]} showLabel pressed={view.value === v} onClick={() => (view.value = v)} />)}
         <label><input type="checkbox" checked={drawsAll.value} onChange={(e) => (drawsAll.value = e.currentTarget.checked)} /> {t.drawAll}</label>
       </div>
-      {view.value === "pixel" ? <PixelBars /> : sample && <VertexTable sample={sample} />}
+      {view.value === "pixel" ? <PixelBars /> : view.value === "tree" ? <TreeStepper /> : sample && <VertexTable sample={sample} />}
     </div>
   );
 }

@@ -1,6 +1,6 @@
 /** Draws the scene's wires and the light's paths on a canvas. */
 
-import type { InspectedPath, InspectedWay, Vec3, CameraFrame, WireframeView } from "../api/types";
+import type { InspectedPath, InspectedWay, TreeWalk, Vec3, CameraFrame, WireframeView } from "../api/types";
 import { toHex } from "../json/color";
 import { project, projectLine, rayThrough } from "../math/projection";
 import { add, scale } from "../math/vec3";
@@ -74,6 +74,16 @@ export class SceneDrawing {
   way(way: InspectedWay): void {
     this.polyline(way.points, this.palette.selected, 2.5);
     way.points.slice(1).forEach((point, i) => this.dot(point, this.palette.selected, i + 1));
+  }
+
+  /** The nodes of a tree that a ray has visited before a step, the last one brightest, and the ray. */
+  walk(walk: TreeWalk, step: number): void {
+    const visited = walk.steps.slice(0, step);
+    visited.forEach(({ lines }, i) => {
+      const isLast = i === step - 1;
+      for (const line of lines) this.polyline(line, isLast ? this.palette.selected : this.palette.camera, isLast ? 2 : 1, isLast ? 1 : 0.35);
+    });
+    this.polyline([walk.start, walk.end], this.palette.selected, 2);
   }
 
   private dot(point: Vec3, color: string, index: number, radius = 3.5): void {

@@ -1,7 +1,7 @@
 import { effect, signal } from "@preact/signals";
 import { get } from "../api/client";
 import { Latest } from "../api/latest";
-import type { InspectedPixel, PixelSummary, WireframeView } from "../api/types";
+import type { InspectedPixel, PixelSummary, TreeWalk, WireframeView } from "../api/types";
 import { complain } from "../state/messages";
 import { inspectedPixel, revision } from "../state/store";
 
@@ -24,6 +24,13 @@ export const drawsAll = signal(false);
 export const paths = signal<InspectedPixel | null>(null);
 export const summary = signal<PixelSummary | null>(null);
 
+/** The tree of the textbook edition that a ray is followed through; "" for none. */
+export const tree = signal("");
+
+/** Its way through the tree, and how many nodes of it are shown. */
+export const walk = signal<TreeWalk | null>(null);
+export const step = signal(0);
+
 /** The scene as lines, and its camera. */
 export const wireframe = signal<WireframeView | null>(null);
 
@@ -36,6 +43,14 @@ const asking = new Latest<{ x: number; y: number; first: number }>(async ({ x, y
 const summing = new Latest<{ x: number; y: number }>(async ({ x, y }) => {
   summary.value = await get<PixelSummary>("paths/summary", { x, y });
 }, complain);
+
+const walking = new Latest<{ x: number; y: number; sample: number; ray: number; tree: string }>(async (ray) => {
+  walk.value = await get<TreeWalk>("paths/tree", ray);
+  step.value = 0;
+}, (e) => {
+  walk.value = null;
+  complain(e);
+});
 
 let shownPixel: object | null = null;
 
@@ -58,8 +73,14 @@ export const followPaths = () => {
     litSamples.value = summary.value = null;
     if (pixel && revision.value >= 0) summing.push(pixel);
   });
+  const stopWalk = effect(() => {
+    const pixel = inspectedPixel.value;
+    if (pixel && tree.value && revision.value >= 0) walking.push({ ...pixel, sample: chosenSample.value, ray: Math.max(1, openVertex.value), tree: tree.value });
+    else walk.value = null;
+  });
   return () => {
     stopPaths();
     stopSummary();
+    stopWalk();
   };
 };
