@@ -46,7 +46,8 @@ internal sealed class TestSession : IDisposable
         {
             long version = Session.Changes.Version;
             long picture = Session.View.RequireShown().Picture;
-            string? hash = await Session.View.Loop.ReadFilm((film, order, samples) => order.Picture == picture && samples == order.Samples ? film.ComputeHash() : null);
+            string? hash = Session.View.Loop.Status.SamplesTotal == 0 ? null
+                : await Session.View.Loop.ReadFilm((film, order, samples) => order.Picture == picture && samples == order.Samples ? film.ComputeHash() : null);
             if (hash is not null)
             {
                 return hash;
