@@ -43,6 +43,9 @@ public class AgreementTests(ITestOutputHelper output)
     [InlineData("meshes/01-cube.json")]
     [InlineData("meshes/02-smooth.json")]
     [InlineData("meshes/03-mesh-light.json")]
+    [InlineData("primer/22-intersection.json")]
+    [InlineData("primer/23-transforms.json")]
+    [InlineData("primer/26-importance.json")]
     public void Both_editions_expect_the_same_picture_of_shipped_scenes(string scene) => Compare(scene, ["scenes", .. scene.Split((char)47)], (32, 24));
 
     /// <summary>What no shipped scene within the range has.</summary>

@@ -19,6 +19,7 @@ public sealed partial class HelpPages : ISessionPart<HelpPages>
     private const string Prefix = "help/";
     private const string Folder = "docs/";
     private const string Lessons = "primer/";
+    private const string Change = "try:";
     private const int MostFindings = 40;
     private const int ExcerptLength = 180;
     private const int InHeading = 8;
@@ -45,7 +46,7 @@ public sealed partial class HelpPages : ISessionPart<HelpPages>
         Pages = [.. Order()];
     }
 
-    /// <summary>All pages, in the order of README.md, each lesson after the page that lists it.</summary>
+    /// <summary>All pages, in the order of README.md, the lessons after the page that lists them, in its order.</summary>
     public IReadOnlyList<HelpEntry> Pages { get; }
 
     private static Assembly Files => typeof(HelpPages).Assembly;
@@ -97,7 +98,7 @@ public sealed partial class HelpPages : ISessionPart<HelpPages>
 
                 string id = url[Folder.Length..^3];
                 yield return new(id, _texts[id].Title, group, Plain(row[1]));
-                foreach (string lesson in _texts.Keys.Where(k => id == Lessons + "README" && k.StartsWith(Lessons, StringComparison.Ordinal) && k != id).Order(StringComparer.Ordinal))
+                foreach (string lesson in id == Lessons + "README" ? _texts[id].Rows.Select(row => Lessons + row) : [])
                 {
                     yield return new(lesson, _texts[lesson].Title, _texts[id].Title, "");
                 }
@@ -127,7 +128,8 @@ public sealed partial class HelpPages : ISessionPart<HelpPages>
     [GeneratedRegex(@"\s+")]
     private static partial Regex Spaces { get; }
 
-    private sealed record Text(string Title, IReadOnlyList<Section> Sections, Lazy<string> Html)
+    // Rows: the pages that rows of its tables lead to first, without extension.
+    private sealed record Text(string Title, IReadOnlyList<Section> Sections, IReadOnlyList<string> Rows, Lazy<string> Html)
     {
         public static Text Read(string id, MarkdownDocument document, Func<string, bool> isPage)
         {
@@ -148,7 +150,10 @@ public sealed partial class HelpPages : ISessionPart<HelpPages>
             }
 
             Close();
-            return new(sections.Count > 0 ? sections[0].Heading : id, sections, new(() => Write(id, document, isPage)));
+            IEnumerable<string?> rows = document.OfType<Table>().SelectMany(table => table.OfType<TableRow>()).Select(row => row.Descendants<LinkInline>().FirstOrDefault()?.Url);
+            return new(
+                sections.Count > 0 ? sections[0].Heading : id, sections, [.. rows.OfType<string>().Where(url => url.EndsWith(".md", StringComparison.Ordinal)).Select(url => url[..^3])],
+                new(() => Write(id, document, isPage)));
 
             void Close()
             {
@@ -167,7 +172,7 @@ public sealed partial class HelpPages : ISessionPart<HelpPages>
             foreach (LinkInline link in document.Descendants<LinkInline>().ToArray())
             {
                 string url = link.Url ?? "";
-                if (url.Contains("://", StringComparison.Ordinal))
+                if (url.Contains("://", StringComparison.Ordinal) || url.StartsWith(Change, StringComparison.Ordinal))
                 {
                     continue;
                 }
@@ -272,6 +277,7 @@ public sealed record HelpEntry(string Id, string Title, string Group, string Sum
 /// <param name="Title">Its heading.</param>
 /// <param name="Html">
 /// The page as HTML. Links to pages are <c>#help=ID&amp;section=ANCHOR</c>, those to files of the repository <c>#file=PATH</c>; pictures name themselves in <c>data-picture</c>.
+/// Changes that a lesson proposes are <c>try:POINTER=VALUE</c>: JSON pointers without their first slash and JSON, percent-encoded, several of them joined by semicolons.
 /// </param>
 public sealed record HelpPage(string Id, string Title, string Html);
 

@@ -1,4 +1,3 @@
-using System.Globalization;
 using System.Text.RegularExpressions;
 using RayTracer.Description;
 using RayTracer.Imaging;
@@ -54,15 +53,6 @@ public partial class ShippedScenesTests
         IEnumerable<string> titles = Names("report").Concat(Names("primer")).Select(f => Path.GetFileNameWithoutExtension(f).TrimStart([.. "0123456789-"]));
 
         Assert.Empty(titles.GroupBy(t => t).Where(g => g.Count() > 1).Select(g => g.Key));
-    }
-
-    [Fact]
-    public void Primer_scenes_are_numbered_without_gaps()
-    {
-        int[] numbers = [.. Names("primer").Select(f => int.Parse(Path.GetFileName(f)[..2], CultureInfo.InvariantCulture))];
-
-        Assert.True(numbers.Length >= 14);
-        Assert.Equal(Enumerable.Range(1, numbers.Length), numbers);
     }
 
     [Fact]
