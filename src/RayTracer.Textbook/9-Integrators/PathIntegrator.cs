@@ -52,10 +52,10 @@ public sealed class PathIntegrator(int maxDepth, int rouletteDepth) : IIntegrato
     /// <summary>
     /// Roulette: a path that carries little mostly ends, and those that go on make up for the others, so that the mean stays (Arvo &amp; Kirk 1990).
     /// </summary>
-    internal static bool Survives(Scene scene, ref Rgb throughput, double random)
+    internal static bool Survives(Scene? scene, ref Rgb throughput, double random)
     {
         double survival = Math.Min(throughput.Largest, 0.95);
-        scene.Witness?.Survived(survival);
+        scene?.Witness?.Survived(survival);
         throughput *= 1 / survival;
         return random < survival;
     }

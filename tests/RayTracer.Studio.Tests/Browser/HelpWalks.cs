@@ -56,4 +56,37 @@ public class HelpWalks(ChromiumBrowser browser)
         await Expect(w.Page.GetByRole(AriaRole.Heading, new() { Level = 1, Name = "07-refraction.json" })).ToBeVisibleAsync();
         await Expect(w.Page.GetByRole(AriaRole.Dialog)).ToHaveCountAsync(0);
     }
+
+    [SkippableFact]
+    public async Task A_lesson_stands_beside_its_scene_and_its_changes_are_tried()
+    {
+        await using StudioWindow w = await StudioWindow.Open(browser, "report/scene2", new() { ViewportSize = new() { Width = 1280, Height = 800 } });
+        await w.Painted();
+        await w.Stage.FocusAsync();
+        await w.Page.Keyboard.PressAsync("F1");
+        await w.Page.GetByRole(AriaRole.Navigation, new() { Name = "Pages" }).GetByRole(AriaRole.Button, new() { NameRegex = new("^3\\. ") }).ClickAsync();
+        await w.Button("Read this lesson beside its scene").ClickAsync();
+        await Expect(w.Page.GetByRole(AriaRole.Heading, new() { Level = 1, Name = "03-soft-shadows.json" })).ToBeVisibleAsync();
+        ILocator lesson = w.Page.GetByRole(AriaRole.Complementary, new() { Name = "Scene and files" });
+
+        // One change of two values, which is one step to undo.
+        ILocator lamp = lesson.GetByRole(AriaRole.Link, new() { NameRegex = new("0\\.02") }).First;
+        await lamp.ClickAsync();
+        await w.Text("both values are set", text => text.Contains("\"radius\": 0.02", StringComparison.Ordinal) && text.Contains("\"multiplier\": 15925", StringComparison.Ordinal));
+        await w.Painted();
+        await w.Shot("lesson", isShown: true);
+        await w.Button("Undo").ClickAsync();
+        await w.Text("neither is", text => !text.Contains("0.02,", StringComparison.Ordinal) && !text.Contains("15925", StringComparison.Ordinal));
+
+        // From another scene, the lesson's is opened first.
+        await w.Tab("Gallery");
+        await w.Page.GetByRole(AriaRole.Button, new() { NameRegex = new("cornell", System.Text.RegularExpressions.RegexOptions.IgnoreCase) }).First.ClickAsync();
+        await Expect(w.Page.GetByRole(AriaRole.Heading, new() { Level = 1, NameRegex = new("cornell") })).ToBeVisibleAsync();
+        await w.Tab("Lesson");
+        await lamp.ClickAsync();
+        await w.Text("the lesson's scene is changed", text => text.Contains("15925", StringComparison.Ordinal));
+        await Expect(w.Page.GetByRole(AriaRole.Heading, new() { Level = 1, Name = "03-soft-shadows.json" })).ToBeVisibleAsync();
+        await w.Button("Close the lesson").ClickAsync();
+        await Expect(w.Page.GetByRole(AriaRole.Tab, new() { Name = "Lesson" })).ToHaveCountAsync(0);
+    }
 }

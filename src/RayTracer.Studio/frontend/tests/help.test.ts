@@ -17,3 +17,11 @@ test("Links lead to pages, scenes of the gallery, sections, and away", () => {
   expect(targetOf("#the-film")).toEqual({ kind: "section", section: "the-film" });
   expect(targetOf("https://example.org/a#b").kind).toBe("web");
 });
+
+test("A lesson proposes changes of its scene", () => {
+  expect(targetOf('try:camera/verticalFov=40;shapes/0/color=[1,0,0.5];textures/a/type="solid"')).toEqual({
+    kind: "try",
+    changes: [{ pointer: "/camera/verticalFov", value: 40 }, { pointer: "/shapes/0/color", value: [1, 0, 0.5] }, { pointer: "/textures/a/type", value: "solid" }],
+  });
+  expect(targetOf("try:environment=%7B%22type%22:%22sky%22%7D")).toEqual({ kind: "try", changes: [{ pointer: "/environment", value: { type: "sky" } }] });
+});

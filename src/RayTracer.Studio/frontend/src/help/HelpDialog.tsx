@@ -1,67 +1,16 @@
-import { useEffect, useLayoutEffect, useRef, useState } from "preact/hooks";
+import { useEffect, useRef, useState } from "preact/hooks";
 import { get } from "../api/client";
 import { Latest } from "../api/latest";
-import type { HelpEntry, HelpFinding, HelpFindings, HelpIndex, HelpPage } from "../api/types";
-import { openScene, pictureAddress } from "../files/commands";
+import type { HelpEntry, HelpFinding, HelpFindings, HelpIndex } from "../api/types";
 import { complain } from "../state/messages";
 import { helpAt } from "../state/store";
 import { texts } from "../texts";
 import { Button } from "../ui/Button";
 import { DialogBox } from "../ui/DialogBox";
-import { targetOf } from "./links";
+import { HelpArticle, type Place } from "./HelpArticle";
+import { isLesson, readBeside } from "./lesson";
 
 const t = texts.help;
-
-type Place = NonNullable<typeof helpAt.value>;
-
-/** Shows pictures, and makes of links what they can be here. */
-function dress(article: HTMLElement): void {
-  for (const picture of article.querySelectorAll<HTMLImageElement>("img[data-picture]")) {
-    // What is not shipped has its words, which stand in its place.
-    const show = (source: string) => {
-      picture.onload = () => URL.revokeObjectURL(source);
-      picture.src = source;
-    };
-    pictureAddress("help/picture", { path: picture.dataset.picture! }).then(show, () => picture.replaceWith(picture.alt));
-  }
-  for (const link of article.querySelectorAll("a")) {
-    const target = targetOf(link.getAttribute("href") ?? "");
-    if (target.kind === "web") [link.target, link.rel] = ["_blank", "noreferrer"];
-    if (target.kind === "scene") link.dataset.tip = t.openScene;
-    if (target.kind === "file") link.replaceWith(...link.childNodes);
-  }
-  for (const code of article.querySelectorAll("pre")) code.tabIndex = 0;
-}
-
-function Page({ place, go }: { place: Place; go: (place: Place) => void }) {
-  const [page, setPage] = useState<HelpPage | null>(null);
-  const article = useRef<HTMLElement>(null);
-  useEffect(() => {
-    get<HelpPage>("help/page", { id: place.page }).then(setPage, complain);
-  }, [place.page]);
-  useLayoutEffect(() => {
-    if (page?.id === place.page) dress(article.current!);
-  }, [page]);
-  useLayoutEffect(() => {
-    if (page?.id !== place.page) return;
-    const section = place.section && article.current!.querySelector(`#${CSS.escape(place.section)}`);
-    if (section) section.scrollIntoView();
-    else article.current!.scrollTop = 0;
-  }, [page, place]);
-  const follow = (e: MouseEvent) => {
-    const link = (e.target as Element).closest("a");
-    const target = link && targetOf(link.getAttribute("href") ?? "");
-    if (!target || target.kind === "web") return;
-    e.preventDefault();
-    if (target.kind === "page") go(target);
-    else if (target.kind === "section") go({ page: place.page, section: target.section });
-    else if (target.kind === "scene") {
-      helpAt.value = null;
-      openScene({ galleryId: target.galleryId });
-    }
-  };
-  return <article class="help-page" ref={article} tabIndex={0} aria-label={page?.title ?? t.loading} onClick={follow} dangerouslySetInnerHTML={{ __html: page?.html ?? "" }} />;
-}
 
 function PageList({ pages, place, go }: { pages: HelpEntry[]; place: Place; go: (place: Place) => void }) {
   return (
@@ -137,7 +86,10 @@ export function HelpDialog() {
             {findings && words.trim() ? <Findings findings={findings} go={go} /> : <PageList pages={index} place={place} go={go} />}
           </div>
         </nav>
-        <Page place={place} go={go} />
+        <div class="help-body">
+          {isLesson(place.page) && <Button label={t.beside} showLabel kind="plain" icon="scene" onClick={() => readBeside(place.page)} />}
+          <HelpArticle place={place} go={go} />
+        </div>
       </div>
     </DialogBox>
   );

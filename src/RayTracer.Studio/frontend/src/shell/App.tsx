@@ -5,6 +5,8 @@ import { Gallery } from "../files/Gallery";
 import { OverwriteQuestion, RenameDialog, UnsavedQuestion } from "../files/Questions";
 import { Recent } from "../files/Recent";
 import { HelpDialog } from "../help/HelpDialog";
+import { lesson } from "../help/lesson";
+import { LessonPane } from "../help/LessonPane";
 import { Outliner } from "../outliner/Outliner";
 import { PropertyPanel } from "../panel/PropertyPanel";
 import { watchAttention } from "../help/places";
@@ -43,6 +45,7 @@ function LeftPane() {
           { id: "scene", label: t.scene, help: "studio#things", render: () => <Outliner /> },
           { id: "gallery", label: t.gallery, help: "studio#start", render: () => <Gallery /> },
           { id: "files", label: t.files, help: "studio#save", render: () => <Recent /> },
+          ...(lesson.value ? [{ id: "lesson", label: t.lesson, help: lesson.value, render: () => <LessonPane /> }] : []),
         ]}
       />
       <Splitter label={texts.panes.left} size={leftWidth} grows="right" minimum={180} maximum={() => innerWidth * 0.4} />
