@@ -2,7 +2,7 @@ using System.Xml.Linq;
 
 namespace RayTracer.Study.Tests.Lessons;
 
-/// <summary>A drawing of a lesson as SVG, on a ground of its own, so that it can be read in light and dark windows. Lengths are in pixels from the upper left corner.</summary>
+/// <summary>A drawing of a lesson as SVG, on a white ground, so that it can be read in light and dark windows. Lengths are in pixels from the upper left corner.</summary>
 internal sealed class Figure
 {
     public const string Ink = "#222222";
