@@ -1,7 +1,6 @@
 using System.Security.Cryptography;
 using System.Text;
 using RayTracer.Textbook;
-using RayTracer.Textures;
 
 namespace RayTracer.Labs;
 
@@ -45,6 +44,33 @@ public sealed class CheckRun
     /// <summary>Shows something in the report, whether the check succeeds or not.</summary>
     /// <param name="exhibit">What to show.</param>
     public void Show(Exhibit exhibit) => _exhibits.Add(exhibit);
+
+    /// <summary>Ends the check at the first fact that does not hold.</summary>
+    /// <param name="facts">The facts.</param>
+    /// <param name="isRecognised">True for sentences that name a common mistake; null for none.</param>
+    /// <exception cref="CheckFailedException">One does not hold.</exception>
+    public void Require(IEnumerable<Fact> facts, Func<Fact, bool>? isRecognised = null)
+    {
+        foreach (Fact fact in facts)
+        {
+            string? Number(double value) => double.IsNaN(value) ? null : Answer.Text(value);
+            Exhibit[] drawing = fact.Drawing is { } svg ? [new(fact.Name, "svg", Encoding.UTF8.GetBytes(svg.ToString()))] : [];
+            if (!fact.Holds)
+            {
+                throw new CheckFailedException(new("", 0)
+                {
+                    Sentence = fact.Sentence,
+                    IsRecognised = isRecognised?.Invoke(fact) == true,
+                    Case = fact.Case,
+                    Expected = Number(fact.Expected),
+                    Found = Number(fact.Found),
+                    Exhibits = drawing,
+                });
+            }
+
+            _exhibits.AddRange(drawing);
+        }
+    }
 
     /// <summary>Compares a picture with its reference, and shows both and their difference.</summary>
     /// <param name="width">Width in pixels.</param>
