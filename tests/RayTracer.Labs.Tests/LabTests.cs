@@ -89,6 +89,8 @@ public sealed partial class LabTests
 
     [Theory]
     [InlineData(1, "a picture by all of it", "room.png")]
+    [InlineData(3, "how errors fall", "errors.svg")]
+    [InlineData(6, "three balls", "balls.png")]
     public void A_picture_of_a_handout_is_what_the_solution_makes(int number, string title, string name)
     {
         Exhibit exhibit = s_variants.Value.Check(Lab.Of(number), LabVariants.Solution, "Ada").Single(f => f.Title == title).Exhibits[0];
@@ -112,9 +114,14 @@ public sealed partial class LabTests
         }
     }
 
-    // The first of the three pictures of a comparison.
+    // Of a comparison, the first of its three pictures.
     private static Picture Own(Picture comparison)
     {
+        if (comparison.Width < 3 * comparison.Height)
+        {
+            return comparison;
+        }
+
         int width = (comparison.Width - 8) / 3;
         Picture own = new(width, comparison.Height);
         for (int y = 0; y < own.Height; y++)

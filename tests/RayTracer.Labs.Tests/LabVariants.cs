@@ -17,13 +17,14 @@ internal sealed class LabVariants : IDisposable
         List<string> files = [];
         foreach (Lab lab in Lab.All)
         {
-            Dictionary<string, string> solution = Directory.GetFiles(Path.Combine(FolderOf(lab), "solution")).ToDictionary(f => Path.GetFileName(f), f => File.ReadAllText(f).ReplaceLineEndings("\n"));
-            Add(lab, Solution, solution);
-            Add(lab, Starter, lab.Files("starter/").ToDictionary(f => f, lab.Text));
+            Dictionary<string, string> solution = Texts(lab, "solution");
+            Dictionary<string, string> checks = Texts(lab, LabFolder.Checks);
+            Add(lab, Solution, solution, checks);
+            Add(lab, Starter, lab.Files("starter/").ToDictionary(f => f, lab.Text), checks);
             foreach ((Mutant mistake, int number) in Mistakes(lab).Select((m, i) => (m, i)))
             {
                 string file = Path.GetFileName(mistake.File);
-                Add(lab, NameOf(number), new(solution) { [file] = mistake.Apply(solution[file]) });
+                Add(lab, NameOf(number), new(solution) { [file] = mistake.Apply(solution[file]) }, checks);
             }
         }
 
@@ -32,9 +33,9 @@ internal sealed class LabVariants : IDisposable
         Assert.True(errors.Count == 0, string.Join('\n', errors));
         _assembly = Assembly.Load(File.ReadAllBytes(assembly));
 
-        void Add(Lab lab, string variant, Dictionary<string, string> sources)
+        void Add(Lab lab, string variant, Dictionary<string, string> sources, Dictionary<string, string> checks)
         {
-            foreach ((string name, string text) in sources.Concat(lab.Files(LabFolder.Checks).Select(f => KeyValuePair.Create(f, lab.Text(f)))))
+            foreach ((string name, string text) in sources.Concat(checks.Select(c => KeyValuePair.Create($"checks-{c.Key}", c.Value))))
             {
                 files.Add(_folder[$"{lab.Number}-{variant}-{name.Replace('/', '-')}"]);
                 string space = $"namespace Lab{lab.Number};";
@@ -56,6 +57,9 @@ internal sealed class LabVariants : IDisposable
     /// <summary>Runs the checks of a variant.</summary>
     public IReadOnlyList<Finding> Check(Lab lab, string variant, string student) =>
         [.. CheckHost.Checks(_assembly, $"Lab{lab.Number}.{variant}").Select(c => CheckHost.Run(c.Check, c.Method, student))];
+
+    private static Dictionary<string, string> Texts(Lab lab, string folder) =>
+        Directory.GetFiles(Path.Combine(FolderOf(lab), folder)).ToDictionary(f => Path.GetFileName(f), f => File.ReadAllText(f).ReplaceLineEndings("\n"));
 
     public void Dispose() => _folder.Dispose();
 }

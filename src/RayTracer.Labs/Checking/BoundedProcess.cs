@@ -32,14 +32,14 @@ internal sealed class BoundedProcess : IDisposable
         _errors = Task.Run(ReadErrors);
     }
 
-    /// <summary>The last line that it wrote to its standard error.</summary>
-    public string LastError
+    /// <summary>The first line that it wrote to its standard error.</summary>
+    public string FirstError
     {
         get
         {
             lock (_error)
             {
-                return _error.ToString().TrimEnd().Split('\n')[^1];
+                return _error.ToString().TrimStart().Split('\n')[0].TrimEnd();
             }
         }
     }
@@ -106,8 +106,7 @@ internal sealed class BoundedProcess : IDisposable
         {
             lock (_error)
             {
-                _error.Append(buffer, 0, count);
-                _error.Remove(0, Math.Max(0, _error.Length - MostOfError));
+                _error.Append(buffer, 0, Math.Min(count, MostOfError - _error.Length));
             }
         }
     }

@@ -65,12 +65,12 @@ internal static class CheckHost
     /// <summary>What a student reads of an exception: what was thrown, and the line of the student's code.</summary>
     public static string Thrown(Exception thrown)
     {
-        if (thrown is NotImplementedException)
+        Exception inner = thrown is TypeInitializationException or TargetInvocationException or AggregateException && thrown.InnerException is { } cause ? cause : thrown;
+        if (inner is NotImplementedException)
         {
-            return $"Not written yet: {thrown.Message}";
+            return $"Not written yet: {inner.Message}";
         }
 
-        Exception inner = thrown is TypeInitializationException or TargetInvocationException && thrown.InnerException is { } cause ? cause : thrown;
         StackFrame? frame = new StackTrace(inner, fNeedFileInfo: true).GetFrames().FirstOrDefault(f => f.GetFileName() is not null);
         string at = frame is null ? "" : $" at {Path.GetFileName(frame.GetFileName())}:{frame.GetFileLineNumber()}";
         return $"Your code throws {inner.GetType().Name}{at}: {inner.Message}";

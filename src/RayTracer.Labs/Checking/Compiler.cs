@@ -63,7 +63,7 @@ internal static partial class Compiler
         int? status = compiler.Finish(end);
         string[] errors = [.. lines.Select(l => Error().Match(l)).Where(m => m.Success).Select(m => $"{Path.GetFileName(m.Groups["file"].Value)}:{m.Groups["line"].Value}:{m.Groups["column"].Value}: {m.Groups["message"].Value}").Distinct()];
         return status == 0 ? [] : errors.Length > 0 ? errors
-            : [status is null ? $"the compiler took longer than {limit.TotalSeconds:0} seconds" : $"the compiler failed: {string.Join(' ', lines.Append(compiler.LastError)).Trim()}"];
+            : [status is null ? $"the compiler took longer than {limit.TotalSeconds:0} seconds" : $"the compiler failed: {string.Join(' ', lines.Append(compiler.FirstError)).Trim()}"];
     }
 
     // The folder below the newest version that has a file.

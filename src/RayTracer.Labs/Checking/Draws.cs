@@ -55,23 +55,32 @@ public sealed class Draws
         return Named(name, inBox.Unit, v => Answer.Text((Answer)v));
     }
 
-    /// <summary>How far the numbers are from the simplest ones, 0, 1, −1, whole ones, and those with one or two decimals.</summary>
-    internal int Complexity => _numbers.Sum(n => Simpler(n).Count());
+    /// <summary>How far the numbers are from simple ones.</summary>
+    internal int Complexity => _numbers.Sum(ComplexityOf);
 
-    /// <summary>The simpler cases that are one step away: each has a number that is simpler.</summary>
+    /// <summary>The simpler cases that are one step away: each has one number that is simpler.</summary>
     internal IEnumerable<double[]> Simpler()
     {
         for (int i = 0; i < _numbers.Count; i++)
         {
-            foreach (double step in Simpler(_numbers[i]))
+            double now = _numbers[i];
+            double[] steps = [0, 1, -1, Math.Truncate(now / 2), now - Math.Sign(now), Math.Round(now), Math.Round(now, 1), Math.Round(now, 2)];
+            foreach (double step in steps.Where(s => ComplexityOf(s) < ComplexityOf(now)))
             {
                 yield return [.. _numbers[..i], step, .. _numbers[(i + 1)..]];
             }
         }
     }
 
-    private static IEnumerable<double> Simpler(double number) =>
-        new[] { 0, 1, -1, Math.Round(number), Math.Round(number, 1), Math.Round(number, 2) }.TakeWhile(simpler => simpler != number);
+    // 0 is the simplest number, then 1 and −1, then larger whole ones, those with one decimal, with two, and all others.
+    private static int ComplexityOf(double number) => number switch
+    {
+        0 or 1 => (int)number,
+        -1 => 2,
+        _ when number == Math.Round(number) => 2 + (int)Math.Min(Math.Abs(number), 1000),
+        _ when number == Math.Round(number, 1) => 2000,
+        _ => number == Math.Round(number, 2) ? 3000 : 4000,
+    };
 
     private double Next(double low, double high)
     {

@@ -88,13 +88,14 @@ public sealed class Trial<T>
     private CheckFailedException Failure(Draws draws, string? sentence)
     {
         T smallest = Draw(new Draws(NoMore.Instance, draws.Numbers)) ?? throw new UnreachableException("the case was drawn before");
+        Answer? found = Found(smallest);
         return new(new("", 0)
         {
             Sentence = sentence ?? "This is not the right answer.",
             IsRecognised = sentence is not null,
             Case = draws.Text,
             Expected = Answer.Text(Expected(smallest)),
-            Found = Answer.Text(Found(smallest)),
+            Found = Answer.Text(found),
             Exhibits = Show is null ? [] : [Show(smallest)],
         });
     }

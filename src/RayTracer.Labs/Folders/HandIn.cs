@@ -47,9 +47,10 @@ internal static class HandIn
         (string Name, byte[] Content)[] sources = [.. files.Where(f => LabFolder.IsSource(f.Name)).OrderBy(f => f.Name, StringComparer.Ordinal)];
         for (int i = 0; i < sources.Length; i++)
         {
-            // The name alone, after a number: two folders may have files of the same name.
+            // The name alone, in a folder with a number: two folders may have files of the same name.
             string name = new([.. sources[i].Name.Split('/', '\\')[^1].Where(c => char.IsAsciiLetterOrDigit(c) || c is '.' or '_' or '-')]);
-            File.WriteAllBytes(Path.Combine(target, $"{i}-{name[Math.Max(0, name.Length - 60)..]}"), sources[i].Content);
+            DirectoryInfo folder = Directory.CreateDirectory(Path.Combine(target, $"{i}"));
+            File.WriteAllBytes(Path.Combine(folder.FullName, name[Math.Max(0, name.Length - 60)..]), sources[i].Content);
         }
 
         return (new(target, card), card.Hash is null || card.Hash == Hash(sources));

@@ -15,7 +15,7 @@ internal static class MarkTables
     public static string Csv(IReadOnlyList<Mark> marks) => string.Concat(marks.Select(m => new[]
     {
         m.Source, m.Check?.Card.Name ?? "", Number(m.Check?.Card.Lab), Number(m.Check?.Points), Number(m.Check?.Most),
-        string.Join("; ", (m.Check?.Findings ?? []).Where(f => !f.IsRight).Select(f => $"{f.Title}: {f.Sentence}")), m.Check?.Errors.FirstOrDefault() ?? m.Note ?? "",
+        string.Join("; ", (m.Check?.Findings ?? []).Where(f => !f.IsRight).Select(f => f.Title)), m.Check?.Errors.FirstOrDefault() ?? m.Note ?? "",
     }).Prepend(["hand-in", "name", "lab", "points", "most", "wrong", "note"]).Select(row => string.Join(',', row.Select(Cell)) + "\r\n"));
 
     /// <summary>JUnit XML: a suite for each hand-in, a test for each check.</summary>

@@ -28,7 +28,7 @@ internal sealed class Sandbox(params IReadOnlyList<string> programs)
         {
             using BoundedProcess trial = new(new Sandbox().Wrap([], ["true"]));
             DateTime end = DateTime.UtcNow.AddSeconds(20);
-            return trial.Finish(end) == 0 ? null : $"bwrap may not run here ({trial.LastError})";
+            return trial.Finish(end) == 0 ? null : $"bwrap may not run here ({trial.FirstError})";
         }
         catch (Win32Exception)
         {
