@@ -90,6 +90,8 @@ public sealed partial class LabTests
     [Theory]
     [InlineData(1, "a picture by all of it", "room.png")]
     [InlineData(3, "how errors fall", "errors.svg")]
+    [InlineData(4, "strata", "panel.png")]
+    [InlineData(5, "a room", "room.png")]
     [InlineData(6, "three balls", "balls.png")]
     public void A_picture_of_a_handout_is_what_the_solution_makes(int number, string title, string name)
     {

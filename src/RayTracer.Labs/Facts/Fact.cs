@@ -49,7 +49,7 @@ public sealed record Fact(string Name, bool Holds, string Sentence)
         }
         catch (Exception e) when (e is not OutOfMemoryException)
         {
-            return new(name, false, CheckHost.Thrown(e)) { Case = $"{last}" };
+            return new(name, false, $"Your class threw {e.GetType().Name}: {e.Message.ReplaceLineEndings(" ").TrimEnd('.')}.") { Case = $"{last}" };
         }
     }
 
