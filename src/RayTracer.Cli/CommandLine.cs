@@ -7,6 +7,7 @@ using RayTracer.Description;
 using RayTracer.Imaging;
 using RayTracer.Import;
 using RayTracer.Jobs;
+using RayTracer.Labs;
 using RayTracer.Scenes;
 using RayTracer.Textures;
 
@@ -45,6 +46,7 @@ internal static class CommandLine
         new("bench", "Measures how many rays are traced per second, or how fast errors fall by each integrator.", "bench scene.json", BenchVerb.Build),
         new("reproduce", "Renders the pictures and tables of the report that the project follows.", "reproduce report -o folder --quick", ReproduceVerb.Build),
         new("studio", "Opens the Studio, where scenes are edited and viewed, in a browser window.", "studio scene.json", StudioVerb.Build),
+        new("lab", "The labs of the course: makes, checks and grades them.", "lab new 1", LabVerb.Build),
         new("schema", "Prints the JSON Schema of scene files.", "schema > raytracer.schema.json", (c, s) => c.SetAction(_ => s.Output.Write(SceneSchema.Generate()))),
         new("completion", "Prints the script that lets a shell complete this command.", "completion bash > raytracer.bash", CompletionVerb.Build),
         new("man", "Prints the manual page of this command, in the language of man(7).", "man > raytracer.1", ManVerb.Build),
@@ -191,7 +193,7 @@ internal static class CommandLine
     private static int WrongUsage(ParseResult result, string? stray, string? empty, Streams streams)
     {
         Command command = result.CommandResult.Command;
-        IEnumerable<string> verbs = command.Subcommands.Select(c => c.Name);
+        IEnumerable<string> verbs = command.Subcommands.Where(c => !c.Hidden).Select(c => c.Name);
         bool isRoot = command.Name == "raytracer";
         streams.Fail(stray switch
         {
@@ -238,7 +240,7 @@ internal static class CommandLine
             { MaximumNumberOfValues: > 1 } => $"{a.Name}…",
             _ => a.Name,
         });
-        return command.Subcommands.Count > 0 ? string.Join('|', command.Subcommands.Select(c => c.Name))
+        return command.Subcommands.Count > 0 ? string.Join('|', command.Subcommands.Where(c => !c.Hidden).Select(c => c.Name))
             : string.Join(' ', words.Append("[options]"));
     }
 
@@ -257,7 +259,7 @@ internal static class CommandLine
             case JobException { Fault: JobFault.Request }:
                 streams.Fail(OneLine(e.Message).TrimEnd('.'));
                 return ExitStatus.Usage;
-            case JobException or PluginException or ImageWriteException or PictureException or IOException or UnauthorizedAccessException:
+            case JobException or PluginException or ImageWriteException or PictureException or LabException or IOException or UnauthorizedAccessException:
                 streams.Fail(OneLine(e.Message).TrimEnd('.'));
                 return ExitStatus.InputOutput;
             case OutOfMemoryException or { InnerException: OutOfMemoryException }:

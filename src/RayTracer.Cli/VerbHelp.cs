@@ -21,14 +21,14 @@ internal sealed record VerbHelp(string Name, string Summary, string Synopsis, IR
     /// <param name="synopsis">Returns what stands after a verb.</param>
     /// <param name="example">A command.</param>
     public static IEnumerable<VerbHelp> Of(Command command, Func<Command, string> synopsis, string example) =>
-        [One(command, command.Name, synopsis, example), .. command.Subcommands.Select(c => One(c, $"{command.Name} {c.Name}", synopsis, example))];
+        [One(command, command.Name, synopsis, example), .. command.Subcommands.Where(c => !c.Hidden).Select(c => One(c, $"{command.Name} {c.Name}", synopsis, example))];
 
     private static VerbHelp One(Command command, string name, Func<Command, string> synopsis, string example) => new(
         name,
         command.Description ?? "",
         synopsis(command),
         [.. command.Arguments.Select(a => (a.Name, a.Description ?? ""))],
-        [.. command.Subcommands.Select(c => c.Name), .. command.Arguments.SelectMany(a => OptionHelp.WordsOf(a.Name))],
+        [.. command.Subcommands.Where(c => !c.Hidden).Select(c => c.Name), .. command.Arguments.SelectMany(a => OptionHelp.WordsOf(a.Name))],
         [.. command.Options.Where(o => o is not HelpOption).Select(o => new OptionHelp(
             [o.Name, .. o.Aliases], o.ValueType == typeof(bool) ? null : o.HelpName ?? "VALUE", o.Description ?? "", o.ValueType.IsArray))],
         $"raytracer {example}")

@@ -9,8 +9,11 @@ namespace RayTracer.Mutations;
 /// <param name="After">What takes its place.</param>
 internal sealed record Mutant(string Area, string Name, string File, IReadOnlyList<string> Suspects, string Before, string After)
 {
+    /// <summary>What a student is told who makes this mistake; null for mutants of the program.</summary>
+    public string? Says { get; private init; }
+
     /// <summary>
-    /// Reads a list of mutants. Each begins with "## area: name", then "file" and "tests" lines, then the lines to be replaced, each
+    /// Reads a list of mutants. Each begins with "## area: name", then "file" and "tests" lines (or "says" lines, in the labs), then the lines to be replaced, each
     /// after a "-", and their replacements, each after a "+". Other lines are comments.
     /// </summary>
     /// <exception cref="FormatException">An entry is incomplete; the message names it.</exception>
@@ -43,11 +46,12 @@ internal sealed record Mutant(string Area, string Name, string File, IReadOnlyLi
     private static Mutant Read(List<string> entry)
     {
         string Join(char mark) => string.Join('\n', entry.Skip(1).Where(l => l.StartsWith(mark)).Select(l => l[1..]));
-        string Field(string name) => entry.Find(l => l.StartsWith(name + " ", StringComparison.Ordinal))?[(name.Length + 1)..].Trim()
-            ?? throw new FormatException($"{entry[0]}: no \"{name}\"");
+        string? Optional(string name) => entry.Find(l => l.StartsWith(name + " ", StringComparison.Ordinal))?[(name.Length + 1)..].Trim();
+        string Field(string name) => Optional(name) ?? throw new FormatException($"{entry[0]}: no \"{name}\"");
+        string? says = Optional("says");
         string[] title = entry[0][3..].Split(':', 2, StringSplitOptions.TrimEntries);
         return title.Length == 2 && Join('-').Length > 0
-            ? new(title[0], title[1], Field("file"), Field("tests").Split(' ', StringSplitOptions.RemoveEmptyEntries), Join('-'), Join('+'))
+            ? new(title[0], title[1], Field("file"), (says is null ? Field("tests") : "").Split(' ', StringSplitOptions.RemoveEmptyEntries), Join('-'), Join('+')) { Says = says }
             : throw new FormatException($"{entry[0]}: the title needs an area and a name, and the entry a line to be replaced");
     }
 }
