@@ -19,21 +19,21 @@ public abstract record TextbookMaterialDescription : MaterialDescription, IOwnMa
     public abstract IMaterial Make(TextureMaker texture);
 
     /// <inheritdoc/>
-    public sealed override Material Build(SceneBuilder builder)
-    {
-        ITexture Texture(TextureDescription description, bool isNumber)
-        {
-            Textures.Texture texture = isNumber ? builder.NumberTexture(description) : builder.Texture(description);
-            if ((texture.Inputs & Textures.TextureInputs.BeyondUv) != Textures.TextureInputs.None)
-            {
-                builder.Error(this, null, "a material of the textbook edition sees its textures by u and v: not noise, marble, wood or the colours of vertices");
-            }
+    public sealed override Material Build(SceneBuilder builder) => new TextbookMaterial(Make(TexturesOf(this, builder)), ReciprocityException);
 
-            return new LaneTexture(texture);
+    /// <summary>What makes the textures of a record, of those of the fast edition.</summary>
+    /// <param name="record">The record.</param>
+    /// <param name="builder">Makes them, and takes diagnostics.</param>
+    internal static TextureMaker TexturesOf(object record, SceneBuilder builder) => (description, isNumber) =>
+    {
+        Textures.Texture texture = isNumber ? builder.NumberTexture(description) : builder.Texture(description);
+        if ((texture.Inputs & Textures.TextureInputs.BeyondUv) != Textures.TextureInputs.None)
+        {
+            builder.Error(record, null, "a material of the textbook edition sees its textures by u and v: not noise, marble, wood or the colours of vertices");
         }
 
-        return new TextbookMaterial(Make(Texture), ReciprocityException);
-    }
+        return new LaneTexture(texture);
+    };
 }
 
 /// <summary>A material of the textbook edition in the fast one: asked for each lane by itself.</summary>
