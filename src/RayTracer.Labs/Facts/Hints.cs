@@ -15,6 +15,7 @@ internal static class Hints
         _ when Is(factor, 1 / Math.PI) => "Your pdf is π times too small: is it divided by π once too often?",
         _ when Is(factor, 4 * Math.PI) => "Your pdf is 4π times too large: a uniform density over the sphere is 1/4π.",
         _ when Is(factor, 2 * Math.PI) => "Your pdf is 2π times too large: a uniform density over the hemisphere is 1/2π.",
+        _ when Is(factor, 1) => "The pdf is right on the whole, but not everywhere.",
         0 => "Your pdf is zero wherever samples go.",
         _ => $"Your pdf is {Fact.Text(factor)} times what it should be.",
     };

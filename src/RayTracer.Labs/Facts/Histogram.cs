@@ -16,20 +16,21 @@ internal sealed class Histogram
     private readonly Cells _cells;
     private readonly double[] _observed;
     private readonly double[] _expected;
-    private readonly int _samples;
+    private readonly double[] _variances;
+    private readonly double _samples;
+    private readonly double _unit;
 
-    private Histogram(Cells cells, double[] observed, double[] masses, int samples, double kept)
+    private Histogram(Cells cells, double samples, double[] observed, double[] expected, double[] variances, double unit = 1)
     {
-        (_cells, _observed, _samples, Integral, Share) = (cells, observed, samples, masses.Sum(), kept / samples);
-        _expected = Array.ConvertAll(masses, m => Integral > 0 ? m / Integral * kept : 0);
+        (_cells, _samples, _observed, _expected, _variances, _unit) = (cells, samples, observed, expected, variances, unit);
         Deviation = ChiSquaredDeviation();
     }
 
     /// <summary>The integral of the density.</summary>
-    public double Integral { get; }
+    public double Integral { get; private init; }
 
-    /// <summary>The share of the samples that were not lost.</summary>
-    public double Share { get; }
+    /// <summary>The share of the samples that were not lost; the mean of their weights, where they have some.</summary>
+    public double Share => _observed.Sum() / _samples;
 
     /// <summary>What the share may be off by chance.</summary>
     public double ShareTolerance => 2e-3 + (MostDeviations * Math.Sqrt(Math.Max(Share * (1 - Share), 1e-6) / _samples));
@@ -50,29 +51,35 @@ internal sealed class Histogram
         }
     }
 
-    /// <summary>Counts samples, and integrates the density that they should have.</summary>
+    /// <summary>Counts samples, and integrates the density that they should have, up to a factor.</summary>
     /// <param name="area">The area.</param>
     /// <param name="sample">Makes a sample; null where it is lost.</param>
     /// <param name="density">The density by area.</param>
     /// <param name="samples">The number of samples.</param>
     public static Histogram Of(Area area, Func<(double X, double Y)?> sample, Func<double, double, double> density, int samples)
     {
-        Cells cells = new(area, [.. Enumerable.Range(0, samples / 4).Select(_ => sample()).OfType<(double, double)>()]);
-        double[] observed = new double[cells.All.Count];
-        int kept = 0;
-        for (int i = 0; i < samples; i++)
-        {
-            if (sample() is { } at && cells.CellOf(at) is >= 0 and int cell)
-            {
-                observed[cell]++;
-                kept++;
-            }
-        }
+        (Cells cells, double[] observed, _) = Count(area, () => sample() is { } at ? (at, 1) : null, samples);
+        double[] masses = Masses(cells, density, observed, observed, 1, samples);
+        double integral = masses.Sum();
+        double[] expected = Array.ConvertAll(masses, m => integral > 0 ? m / integral * observed.Sum() : 0);
+        return new(cells, samples, observed, expected, expected) { Integral = integral };
+    }
 
-        // A tenth of what counts deviate by chance.
-        double Tolerance(int cell) => 0.1 * Math.Sqrt(Math.Max(LeastExpected, observed[cell])) / samples;
-        double[] masses = [.. cells.All.Select((c, i) => Cells.Integrate(c, density, Tolerance(i)))];
-        return new(cells, observed, masses, samples, kept);
+    /// <summary>Sums the weights of samples, each of which should have a density of one over its weight where another density is one.</summary>
+    /// <param name="area">The area.</param>
+    /// <param name="sample">Makes a sample; null where it is lost.</param>
+    /// <param name="isThere">The other density: 1 where samples may be, and 0 elsewhere.</param>
+    /// <param name="samples">The number of samples.</param>
+    public static Histogram OfWeights(Area area, Func<((double X, double Y) At, double Weight)?> sample, Func<double, double, double> isThere, int samples)
+    {
+        (Cells cells, double[] observed, double[] squares) = Count(area, sample, samples);
+        double unit = squares.Sum() / Math.Max(observed.Sum(), 1e-300);
+        double[] expected = Array.ConvertAll(Masses(cells, isThere, observed, squares, unit, samples), m => m * samples);
+
+        // Sums of weights have the variance of their squares' sum. Where samples are few, those of the whole area have a say in how large weights are.
+        const double Others = 3;
+        double[] scales = [.. observed.Select((o, i) => (squares[i] + (Others * unit * unit)) / (o + (Others * unit)))];
+        return new(cells, samples, observed, expected, [.. expected.Select((e, i) => e * scales[i])], unit) { Integral = expected.Sum() / samples };
     }
 
     /// <summary>Two counts of the same cells, which should differ by chance alone.</summary>
@@ -84,12 +91,12 @@ internal sealed class Histogram
         Cells cells = new(area, [.. others.Where((_, i) => i % 4 == 0)]);
         others = [.. others.Where((_, i) => i % 4 != 0)];
         double[] observed = Counts(samples);
-        double[] together = [.. Counts(others).Zip(observed, (a, b) => a + b)];
+        double[] right = Counts(others);
 
-        // Expected by both together, of which a part deviates as the samples do: scaled so that the variance is that of counts again.
-        double factor = 1 + ((double)samples.Count / others.Count);
-        double all = together.Sum();
-        return new(cells, Array.ConvertAll(observed, o => o * factor), Array.ConvertAll(together, t => t / all), samples.Count, observed.Sum() * factor);
+        // Expected by both together, of which the samples are a part.
+        double all = observed.Sum() + right.Sum();
+        double[] expected = [.. observed.Zip(right, (a, b) => (a + b) / all * observed.Sum())];
+        return new(cells, samples.Count, observed, expected, Array.ConvertAll(expected, e => e * right.Sum() / all)) { Integral = 1 };
 
         double[] Counts(IReadOnlyList<(double X, double Y)> points)
         {
@@ -105,22 +112,51 @@ internal sealed class Histogram
     /// <param name="y">The name of the second coordinate.</param>
     public XDocument Draw(string title, string x, string y) => CellChart.Draw(title, x, y, _cells.All, _observed, _expected, Residual);
 
-    private double Residual(int cell) => (_observed[cell] - _expected[cell]) / Math.Sqrt(Math.Max(_expected[cell], 1));
+    private static (Cells Cells, double[] Observed, double[] Squares) Count(Area area, Func<((double X, double Y) At, double Weight)?> sample, int samples)
+    {
+        Cells cells = new(area, [.. Enumerable.Range(0, samples / 4).Select(_ => sample()?.At).OfType<(double, double)>()]);
+        double[] observed = new double[cells.All.Count];
+        double[] squares = new double[cells.All.Count];
+        for (int i = 0; i < samples; i++)
+        {
+            if (sample() is { } s && cells.CellOf(s.At) is >= 0 and int cell)
+            {
+                observed[cell] += s.Weight;
+                squares[cell] += s.Weight * s.Weight;
+            }
+        }
+
+        return (cells, observed, squares);
+    }
+
+    // To a tenth of what sums deviate by chance. Where that is not what was found, an edge may have slipped between the points of the quadrature, and
+    // more of them tell.
+    private static double[] Masses(Cells cells, Func<double, double, double> density, double[] observed, double[] squares, double unit, int samples) =>
+        [.. cells.All.Select((cell, i) =>
+        {
+            double chance = Math.Sqrt(Math.Max(LeastExpected * unit * unit, squares[i])) / samples;
+            double mass = Cells.Integrate(cell, density, 0.1 * chance);
+            return Math.Abs(mass - (observed[i] / samples)) < 1.5 * chance ? mass : Cells.Integrate(cell, density, 0.1 * chance, finest: true);
+        })];
+
+    private double Residual(int cell) => (_observed[cell] - _expected[cell]) / Math.Sqrt(Math.Max(_variances[cell], _unit * _unit));
 
     // The cube root of a χ² sum is nearly normal (Wilson & Hilferty, The distribution of chi-square, 1931).
     private double ChiSquaredDeviation()
     {
         double sum = 0;
         int count = 0;
-        (double observed, double expected) = (0, 0);
+        (double observed, double expected, double variance) = (0, 0, 0);
         foreach (int i in Enumerable.Range(0, _observed.Length).OrderBy(i => _expected[i]))
         {
-            (observed, expected) = (observed + _observed[i], expected + _expected[i]);
-            if (expected >= LeastExpected)
+            (observed, expected, variance) = (observed + _observed[i], expected + _expected[i], variance + _variances[i]);
+
+            // As many counts as a Poisson distribution has with this mean and variance.
+            if (variance > 0 && expected * expected / variance >= LeastExpected)
             {
-                sum += (observed - expected) * (observed - expected) / expected;
+                sum += (observed - expected) * (observed - expected) / variance;
                 count++;
-                (observed, expected) = (0, 0);
+                (observed, expected, variance) = (0, 0, 0);
             }
         }
 

@@ -58,6 +58,7 @@ public sealed class SceneReader(Func<string, bool, Picture>? loadPicture = null,
         "path" => new PathIntegrator(render.MaxDepth, render.RouletteDepth),
         "light" => new LightPathIntegrator(render.MaxDepth, render.RouletteDepth),
         "photons" => new PhotonIntegrator(render.MaxDepth, render.RouletteDepth, render.MergeRadius),
+        _ when render.Integrator is IOwnIntegrator mine => mine.Make(render),
         var other => (IIntegrator?)_refusals.Say(
             render, nameof(render.Integrator), $"the textbook edition has no integrator \"{other}\": it has report, direct, path, light and photons"),
     };

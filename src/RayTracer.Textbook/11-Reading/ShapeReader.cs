@@ -110,6 +110,7 @@ internal sealed class ShapeReader(Refusals refusals, MaterialReader materials, F
         TriangleDescription t => new Triangle(t.A, t.B, t.C, (new(t.UvA.X, t.UvA.Y, 0), new(t.UvB.X, t.UvB.Y, 0), new(t.UvC.X, t.UvC.Y, 0))),
         BoxDescription b => new Box(Bounds.Around(b.A, b.B)),
         TorusDescription t => new Placed(new Torus(t.Radius, t.TubeRadius), Upright(t.Center, ((Vector)t.Axis).Unit)),
+        IOwnShape own => own.Make(),
         _ => (IShape?)refusals.Type(shape, "shape", Known),
     };
 

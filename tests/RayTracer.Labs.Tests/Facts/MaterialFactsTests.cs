@@ -54,7 +54,7 @@ public class MaterialFactsTests
     public void The_facts_hold_for_materials_that_are_right(string name)
     {
         string? exception = s_right[name] is Phong or Coated ? "the lobe stands for BRDF · cosine" : null;
-        for (int seed = 0; seed < TestSettings.Scale(1, 6); seed++)
+        for (int seed = 0; seed < TestSettings.Scale(1, 4); seed++)
         {
             IReadOnlyList<Fact> facts = new MaterialFacts(s_right[name], new() { ReciprocityException = exception }, TestSettings.Seed + seed, 1 << 13).All();
             Assert.All(facts, f => Assert.True(f.Holds, $"{name}, seed {seed}: {f}"));
