@@ -148,7 +148,7 @@ public sealed class PictureSaver(SceneDocument document, PictureView view, JobLi
         Scene = scene.File,
         Tone = PictureTone.Text(new ImageWriteOptions().For(taken.Scene.Render)),
         Settings = taken.Start?.Header is { } begun ? OldFilms.Settings(begun) : FrameOf(taken).FilmSettings,
-        Software = ProgramName.Text + Edition.Software(taken.Settings.Edition),
+        Software = ProgramName.Text + Edition.Software(taken.Settings.Edition, taken.Description),
     };
 }
 

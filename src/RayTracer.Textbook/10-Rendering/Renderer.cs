@@ -31,12 +31,9 @@ public sealed class Renderer(Scene scene, IIntegrator integrator, int width, int
         return pixels;
     }
 
-    /// <summary>Renders one sample of a pixel again, while somebody looks; paths from lights are not followed.</summary>
-    /// <param name="x">The pixel's column.</param>
-    /// <param name="y">The pixel's row.</param>
-    /// <param name="sample">Number of the sample, from 0.</param>
-    /// <param name="witness">Sees what becomes of its rays.</param>
-    /// <returns>The light that the pixel gets of its own rays.</returns>
+    /// <summary>
+    /// The light that a sample of a pixel, counted from 0, brings by its own rays, while somebody looks; paths from lights are not followed.
+    /// </summary>
     public Rgb Follow(int x, int y, int sample, IWitness witness)
     {
         Begin(sample);

@@ -53,20 +53,14 @@ internal sealed class CameraReader(Refusals refusals)
     private ILens Lens(LensDescription lens, Vector right, Vector up, Transform place)
     {
         (right, up) = (right * lens.ApertureRadius, up * lens.ApertureRadius);
-        switch (lens.Shape)
+        return lens.Shape switch
         {
-            case LensShape.EyeJitter:
-                return lens.Jitter == default ? new Pinhole() : new EyeJitter(place.After(Transform.Scaling(lens.Jitter)));
-            case var _ when lens.ApertureRadius == 0:
-                return new Pinhole();
-            case LensShape.Disk:
-                return new RoundLens(right, up);
-            case LensShape.Square:
-                return new SquareLens(right, up);
-            default:
-                refusals.Say(lens, nameof(lens.Shape), "the textbook edition has no bladed lenses: it has round and square ones, and the report's jitter of the eye");
-                return new Pinhole();
-        }
+            LensShape.EyeJitter => lens.Jitter == default ? new Pinhole() : new EyeJitter(place.After(Transform.Scaling(lens.Jitter))),
+            _ when lens.ApertureRadius == 0 => new Pinhole(),
+            LensShape.Disk => new RoundLens(right, up),
+            LensShape.Square => new SquareLens(right, up),
+            _ => (ILens?)refusals.Say(lens, nameof(lens.Shape), "the textbook edition has no bladed lenses: it has round and square ones, and the report's jitter of the eye") ?? new Pinhole(),
+        };
     }
 
     private static double Extent(FieldOfViewAxis axis, double width, double height) => axis switch

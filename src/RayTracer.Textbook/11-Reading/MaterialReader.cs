@@ -96,22 +96,19 @@ internal sealed class MaterialReader(Refusals refusals, Func<string, bool, Pictu
         }
     }
 
-    private ITexture Read(TextureDescription description, bool isNumber)
+    private ITexture Read(TextureDescription description, bool isNumber) => description switch
     {
-        switch (description)
-        {
-            case SolidTextureDescription s:
-                return new Solid(s.Color);
-            case CheckerTextureDescription c:
-                return new Checker(Texture(c.Even, isNumber), Texture(c.Odd, isNumber), Pair(c.Scale), Pair(c.Offset));
-            case ImageTextureDescription i:
-                refusals.Rest(i, nameof(i.File), nameof(i.Interpolation), nameof(i.Wrapping), nameof(i.VerticalWrapping), nameof(i.Scale), nameof(i.Offset), nameof(i.Raw));
-                Picture picture = i.Picture ?? Picture(i, nameof(i.File), i.File, i.Raw ?? isNumber);
-                return new ImageMap(picture, i.Interpolation, (i.Wrapping, i.VerticalWrapping ?? i.Wrapping), Pair(i.Scale), Pair(i.Offset));
-            default:
-                refusals.Type(description, "texture", "solid, checker and image");
-                return new Solid(Rgb.Black);
-        }
+        SolidTextureDescription s => new Solid(s.Color),
+        CheckerTextureDescription c => new Checker(Texture(c.Even, isNumber), Texture(c.Odd, isNumber), Pair(c.Scale), Pair(c.Offset)),
+        ImageTextureDescription i => Image(i, isNumber),
+        _ => (ITexture?)refusals.Type(description, "texture", "solid, checker and image") ?? new Solid(Rgb.Black),
+    };
+
+    private ImageMap Image(ImageTextureDescription i, bool isNumber)
+    {
+        refusals.Rest(i, nameof(i.File), nameof(i.Interpolation), nameof(i.Wrapping), nameof(i.VerticalWrapping), nameof(i.Scale), nameof(i.Offset), nameof(i.Raw));
+        Picture picture = i.Picture ?? Picture(i, nameof(i.File), i.File, i.Raw ?? isNumber);
+        return new ImageMap(picture, i.Interpolation, (i.Wrapping, i.VerticalWrapping ?? i.Wrapping), Pair(i.Scale), Pair(i.Offset));
     }
 
     /// <summary>What surrounds a scene; null for darkness.</summary>

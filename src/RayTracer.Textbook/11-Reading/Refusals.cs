@@ -42,8 +42,7 @@ internal sealed class Refusals
         foreach (RecordParameter parameter in type.Parameters.Where(p => !understood.Contains(p.PropertyName) && !s_harmless.Contains(p.PropertyName)))
         {
             object? value = parameter.Get(record);
-            bool isGiven = value is System.Collections.ICollection list ? list.Count > 0 : !Equals(value, parameter.Default);
-            if (isGiven)
+            if (value is System.Collections.ICollection list ? list.Count > 0 : !Equals(value, parameter.Default))
             {
                 Say(record, parameter.PropertyName, $"the textbook edition has no \"{parameter.Key}\" of a {type.Name}");
             }

@@ -65,22 +65,15 @@ public sealed class SceneReader(Func<string, bool, Picture>? loadPicture = null,
 
     private Func<int, ISampler>? Samplers(RenderDescription render)
     {
+        // What stands for Sobol's numbers must not depend on how many samples there will be: pictures may be given more.
+        int side = render.Sampler == SamplerKind.Sobol ? 4 : (int)Math.Max(1, Math.Sqrt(render.SamplesPerPixel));
+
         // Rays and paths from lights have streams of their own.
-        static long Seed(long seed, int stream) => (seed * 2) + stream;
-        if (render.Sampler == SamplerKind.Independent)
-        {
-            return stream => new IndependentSampler(Seed(render.Seed, stream));
-        }
-
-        if (render.Sampler == SamplerKind.Jittered || render.Sampler == SamplerKind.Sobol)
-        {
-            // What stands for Sobol's numbers must not depend on how many samples there will be: pictures may be given more.
-            int side = render.Sampler == SamplerKind.Sobol ? 4 : (int)Math.Max(1, Math.Sqrt(render.SamplesPerPixel));
-            return stream => new StratifiedSampler(side, Seed(render.Seed, stream));
-        }
-
-        _refusals.Say(render, nameof(render.Sampler), $"the textbook edition has no sampler \"{render.Sampler.Name}\": it has independent and jittered, which stands for sobol too");
-        return null;
+        long Seed(int stream) => ((long)render.Seed * 2) + stream;
+        return render.Sampler == SamplerKind.Independent ? stream => new IndependentSampler(Seed(stream))
+            : render.Sampler == SamplerKind.Jittered || render.Sampler == SamplerKind.Sobol ? stream => new StratifiedSampler(side, Seed(stream))
+            : (Func<int, ISampler>?)_refusals.Say(
+                render, nameof(render.Sampler), $"the textbook edition has no sampler \"{render.Sampler.Name}\": it has independent and jittered, which stands for sobol too");
     }
 
     private void RefuseRest(RenderDescription render)

@@ -72,15 +72,8 @@ internal sealed class ShapeReader(Refusals refusals, MaterialReader materials, F
             case PointLightDescription light:
                 Points.Add(new PointLight(place.Point(light.Position), light.Intensity));
                 break;
-            case PunctualLightDescription:
-                refusals.Type(shape, "light", "point lights, luminaires and environments");
-                break;
-            default:
-                if (Shape(shape) is { } own)
-                {
-                    AddThing(own, place, material, shape);
-                }
-
+            case var _ when Shape(shape) is { } own:
+                AddThing(own, place, material, shape);
                 break;
         }
     }
@@ -111,6 +104,7 @@ internal sealed class ShapeReader(Refusals refusals, MaterialReader materials, F
         BoxDescription b => new Box(Bounds.Around(b.A, b.B)),
         TorusDescription t => new Placed(new Torus(t.Radius, t.TubeRadius), Upright(t.Center, ((Vector)t.Axis).Unit)),
         IOwnShape own => own.Make(),
+        PunctualLightDescription => (IShape?)refusals.Type(shape, "light", "point lights, luminaires and environments"),
         _ => (IShape?)refusals.Type(shape, "shape", Known),
     };
 

@@ -21,11 +21,7 @@ public sealed class Mesh : IShape
         _triangles = [.. triangles.Select(t => new MeshTriangle(points, t.A, t.B, t.C)).Where(t => t.Area > 0)];
         _tree = new BoundingVolumes(_triangles);
         _areas = new([.. _triangles.Select(t => t.Area)]);
-        Bounds = Bounds.Empty;
-        foreach (MeshTriangle triangle in _triangles)
-        {
-            Bounds = Bounds.With(triangle.Bounds);
-        }
+        Bounds = Array.ConvertAll(_triangles, t => t.Bounds).Aggregate(Bounds.Empty, (all, own) => all.With(own));
     }
 
     /// <inheritdoc/>

@@ -128,7 +128,7 @@ internal static class ChanceFigures
                 alive[bounce]++;
                 carried[bounce] += throughput.R;
                 throughput *= new Rgb(0.7);
-                if (bounce >= Spared && !PathIntegrator.Survives(ref throughput, sampler.Next()))
+                if (bounce >= Spared && !PathIntegrator.Survives(null, ref throughput, sampler.Next()))
                 {
                     break;
                 }
