@@ -89,6 +89,7 @@ public sealed partial class LabTests
 
     [Theory]
     [InlineData(1, "a picture by all of it", "room.png")]
+    [InlineData(2, "the tree by surface area", "tests.svg")]
     [InlineData(3, "how errors fall", "errors.svg")]
     [InlineData(4, "strata", "panel.png")]
     [InlineData(5, "a room", "room.png")]

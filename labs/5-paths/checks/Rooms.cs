@@ -32,10 +32,10 @@ public static class Rooms
     {
         Rgb[] colours = [new(0.7, 0.2, 0.15), new(0.2, 0.5, 0.25), new(0.7), new(0.7), new(0.7), new(0.7)];
         IEnumerable<Thing> walls = Walls(2, i => new Diffuse(new Solid(colours[i])), _ => 0);
-        Rectangle lamp = new(new(-0.5, 0.99, -0.5), new(1, 0, 0), new(0, 0, 1));
+        Rectangle lamp = new(new(-0.7, 0.99, -0.7), new(1.4, 0, 0), new(0, 0, 1.4));
         Thing[] things =
         [
-            .. walls, Shining(lamp, Wall(0), 6),
+            .. walls, Shining(lamp, Wall(0), 1.6),
             new(new Sphere(new(-0.45, -0.6, -0.3), 0.4), Wall(0.75)),
             new(new Sphere(new(0.45, -0.65, 0.2), 0.35), new Conductor(new Reflectance(default, default, new Solid(new Rgb(0.9))))),
         ];

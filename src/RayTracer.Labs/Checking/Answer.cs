@@ -19,6 +19,9 @@ public sealed class Answer
     /// <summary>Two numbers.</summary>
     public static implicit operator Answer((double X, double Y) pair) => new(pair.X, pair.Y);
 
+    /// <summary>Two numbers, or nothing.</summary>
+    public static implicit operator Answer?((double X, double Y)? pair) => pair is { } there ? there : null;
+
     /// <summary>A point or direction.</summary>
     public static implicit operator Answer(Vector vector) => new(vector.X, vector.Y, vector.Z);
 

@@ -4,7 +4,7 @@ namespace RayTracer.Labs;
 
 /// <summary>
 /// Compares a function with the truth in random cases. Where they differ, every number of the case is made simpler as long as they still do
-/// (MacIver &amp; Donaldson, Test-case reduction via test-case generation, 2020), and the mistakes are looked through for one that gives what was found.
+/// (MacIver &amp; Donaldson 2020), and the mistakes are looked through for one that gives what was found.
 /// </summary>
 /// <typeparam name="T">A case.</typeparam>
 public sealed class Trial<T>
