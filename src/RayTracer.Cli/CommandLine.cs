@@ -44,6 +44,7 @@ internal static class CommandLine
         new("view", "Shows an image in the terminal.", "view picture.png", ViewVerb.Build),
         new("bench", "Measures how many rays are traced per second, or how fast errors fall by each integrator.", "bench scene.json", BenchVerb.Build),
         new("reproduce", "Renders the pictures and tables of the report that the project follows.", "reproduce report -o folder --quick", ReproduceVerb.Build),
+        new("selftest", "Checks the materials, shapes and lights of a plug-in: samples against densities, energy, reciprocity, hits.", "selftest own.dll --output report", SelfTestVerb.Build),
         new("studio", "Opens the Studio, where scenes are edited and viewed, in a browser window.", "studio scene.json", StudioVerb.Build),
         new("schema", "Prints the JSON Schema of scene files.", "schema > raytracer.schema.json", (c, s) => c.SetAction(_ => s.Output.Write(SceneSchema.Generate()))),
         new("completion", "Prints the script that lets a shell complete this command.", "completion bash > raytracer.bash", CompletionVerb.Build),

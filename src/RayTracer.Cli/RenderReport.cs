@@ -76,7 +76,7 @@ internal sealed class RenderReport(RenderJob job, JobResult result, Display disp
     {
         string threads = result.Threads == 1 ? "1 thread" : $"{result.Threads} threads";
         output.WriteLine($"{job.Scene}: {_render.Width}×{_render.Height} pixels, {result.SamplesText} samples each, {threads}");
-        (string rays, string speed) = job.Edition is null ? ($" and {_statistics.Rays:N0} rays", $", {result.RaysPerSecond / 1e6:F1} M rays/s") : ("", $", {job.Edition} edition");
+        (string rays, string speed) = Edition.For(job.Edition, _render) is not { } edition ? ($" and {_statistics.Rays:N0} rays", $", {result.RaysPerSecond / 1e6:F1} M rays/s") : ("", $", {edition} edition");
         output.WriteLine($"{_statistics.Paths:N0} paths{rays} in {result.Seconds:F2} s{speed}; {totalSeconds:F2} s in all");
         if (result.Plan is { } plan)
         {

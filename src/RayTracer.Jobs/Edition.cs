@@ -1,4 +1,5 @@
 using RayTracer.Description;
+using RayTracer.Imaging;
 using RayTracer.Rendering;
 using RayTracer.Scenes;
 using RayTracer.Textbook;
@@ -13,13 +14,26 @@ namespace RayTracer.Jobs;
 internal static class Edition
 {
     private const string Textbook = "textbook";
+    private const string SystemBits = ", whose bits depend on the system";
     private static readonly string[] s_own = [.. SceneReader.OwnIntegrators.Select(i => $"{Textbook}:{i}")];
 
     /// <summary>The words of the option; the fast edition is the first.</summary>
     public static IReadOnlyList<string> Words { get; } = ["fast", Textbook, .. s_own];
 
-    /// <summary>What an edition adds to the name of the program in files.</summary>
-    public static string Software(string? edition) => edition is null ? "" : $", {edition} edition, whose bits depend on the system";
+    /// <summary>The edition that a job of a scene asks for; null for the fast one. An integrator of a plug-in may be of the textbook edition alone.</summary>
+    /// <param name="edition">The edition that the job names; null for none.</param>
+    /// <param name="render">The settings of the scene.</param>
+    public static string? For(string? edition, RenderDescription render) => edition ?? (render.Integrator is IOwnIntegrator ? Textbook : null);
+
+    /// <summary>What is added to the name of the program in files, where their bits are not the same on every machine.</summary>
+    /// <param name="edition">The edition; null for the fast one.</param>
+    /// <param name="scene">The scene.</param>
+    public static string Software(string? edition, SceneDescription scene) => edition is not null ? $", {edition} edition{SystemBits}"
+        : RecordType.WithParts(scene).Any(r => r.Record is IOwnMaterial or IOwnShape) ? $", with classes of the textbook edition{SystemBits}" : "";
+
+    /// <summary>The program that merges films, with what those say of their bits.</summary>
+    public static string Software(IEnumerable<FilmHeader> parts) =>
+        parts.FirstOrDefault(p => p.Software.EndsWith(SystemBits, StringComparison.Ordinal))?.Software ?? ProgramName.Text;
 
     /// <summary>The content of a film of an edition, by that of the fast one.</summary>
     public static string Content(string content, string? edition) => edition is null ? content : $"{edition}-{content}";

@@ -126,7 +126,7 @@ public sealed class FilmMerge
             Samples = [.. joined],
             Total = total,
             Wanted = new(0, total),
-            Software = ProgramName.Text,
+            Software = Edition.Software(parts.Select(p => p.Header)),
             Planes = [.. first.Planes.Where(plane => parts.All(p => p.Header.Planes.Contains(plane)))],
         };
     }

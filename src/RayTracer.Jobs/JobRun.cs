@@ -53,7 +53,13 @@ public sealed class JobRun(RenderJob job, IJobWatch watch)
             return null;
         }
 
-        Textbook.Renderer? textbook = Edition.Renderer(job.Edition, load, out IReadOnlyList<Diagnostic> refused);
+        RenderJob rendered = job with { Edition = Edition.For(job.Edition, scene.Render) };
+        if (rendered.Edition != job.Edition && JobRules.Complaint(rendered) is { } complaint)
+        {
+            throw new JobException(JobFault.Request, complaint);
+        }
+
+        Textbook.Renderer? textbook = Edition.Renderer(rendered.Edition, load, out IReadOnlyList<Diagnostic> refused);
         watch.Read(refused);
         if (refused.Count > 0)
         {
@@ -69,7 +75,7 @@ public sealed class JobRun(RenderJob job, IJobWatch watch)
         IProgress<RenderProgress>? progress = watch.Begin(scene.Render);
         using IDisposable? shown = progress as IDisposable;
         long start = Stopwatch.GetTimestamp();
-        JobResult result = Render(new(job, scene, description, options with { Layers = films.Light, Strategies = films.Strategies }, progress, cancellation) { Textbook = textbook }, films);
+        JobResult result = Render(new(rendered, scene, description, options with { Layers = films.Light, Strategies = films.Strategies }, progress, cancellation) { Textbook = textbook }, films);
         result = result with { Seconds = Stopwatch.GetElapsedTime(start).TotalSeconds, Description = description };
         shown?.Dispose();
         watch.End(JobStage.Render);

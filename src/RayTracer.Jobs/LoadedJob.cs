@@ -39,7 +39,7 @@ internal sealed record LoadedJob(
         Scene = Path.GetFullPath(Job.Scene),
         Settings = Job.FilmSettings,
         Tone = PictureTone.Text(Job.Writing.For(Scene.Render)),
-        Software = ProgramName.Text + Edition.Software(Job.Edition),
+        Software = ProgramName.Text + Edition.Software(Job.Edition, Description),
         Planes = Job.Planes(Scene.Render.Integrator),
     };
 

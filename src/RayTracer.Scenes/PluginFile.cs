@@ -13,13 +13,22 @@ public static class PluginFile
     /// <summary>Loads an assembly and adds what it defines, before the first scene is read. What else it needs is looked for in its folder.</summary>
     /// <param name="path">The file.</param>
     /// <exception cref="PluginException">It cannot be loaded, or <see cref="Plugins.Add"/> refuses it.</exception>
-    public static void Load(string path)
+    public static void Load(string path) => Read(path, assembly =>
+    {
+        Plugins.Add(assembly);
+        Array.ForEach([.. SceneTypes.All.SelectMany(t => t.Parameters)], p => ParameterForm.Of(p));
+    });
+
+    /// <summary>Loads an assembly without adding what it defines.</summary>
+    /// <param name="path">The file.</param>
+    /// <param name="use">Is given the assembly.</param>
+    /// <exception cref="PluginException">It cannot be loaded.</exception>
+    public static void Read(string path, Action<Assembly> use)
     {
         try
         {
             _ = AssemblyName.GetAssemblyName(path);
-            Plugins.Add(new Context(Path.GetFullPath(path)).Itself);
-            Array.ForEach([.. SceneTypes.All.SelectMany(t => t.Parameters)], p => ParameterForm.Of(p));
+            use(new Context(Path.GetFullPath(path)).Itself);
         }
         catch (PluginException e)
         {

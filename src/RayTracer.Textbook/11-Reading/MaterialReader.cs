@@ -88,6 +88,8 @@ internal sealed class MaterialReader(Refusals refusals, Func<string, bool, Pictu
                 return new Sided(Material(o.Material), null);
             case TwoSidedMaterialDescription t:
                 return new Sided(Material(t.Front), t.Back is null ? Material(t.Front) : Material(t.Back));
+            case IOwnMaterial own:
+                return own.Make(Texture);
             default:
                 refusals.Type(description, "material", Known);
                 return new Diffuse(new Solid(Rgb.Black));

@@ -67,6 +67,8 @@ public sealed class SceneReader(Func<string, bool, Picture>? loadPicture = null,
                 return new LightPathIntegrator(render.MaxDepth, render.RouletteDepth);
             case "photons":
                 return new PhotonIntegrator(render.MaxDepth, render.RouletteDepth, render.MergeRadius);
+            case var _ when render.Integrator is IOwnIntegrator mine:
+                return mine.Make(render);
             default:
                 _refusals.Say(
                     render, nameof(render.Integrator), $"the textbook edition has no integrator \"{render.Integrator.Name}\": it has report, direct, path, light and photons");

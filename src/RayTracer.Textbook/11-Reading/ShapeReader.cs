@@ -125,6 +125,8 @@ internal sealed class ShapeReader(Refusals refusals, MaterialReader materials, F
                 return new Box(Bounds.Around(b.A, b.B));
             case TorusDescription t:
                 return new Placed(new Torus(t.Radius, t.TubeRadius), Upright(t.Center, ((Vector)t.Axis).Unit));
+            case IOwnShape own:
+                return own.Make();
             default:
                 refusals.Type(shape, "shape", Known);
                 return null;

@@ -134,6 +134,13 @@ public class LibraryExamples
         AssertShown(material.Split("namespace OwnMaterial;\n\n")[1].TrimEnd());
     }
 
+    [Fact]
+    public void The_page_shows_a_material_of_the_textbook_edition()
+    {
+        string material = File.ReadAllText(ProjectFolder.PathOf("tests", "RayTracer.StudentPlugin", "Chalk.cs")).ReplaceLineEndings("\n");
+        AssertShown(material.Split("namespace RayTracer.StudentPlugin;\n\n")[1].TrimEnd());
+    }
+
     [Theory]
     [InlineData("code")]
     [InlineData("file")]
