@@ -91,6 +91,14 @@ public class RasterizerTests
     }
 
     [Fact]
+    public void Many_triangles_take_no_more_of_the_stack_than_few()
+    {
+        Rasterizer raster = new(Width, Height);
+        raster.Draw(Soup(100_000, new(4, 3, 6)), Camera);
+        Assert.DoesNotContain(-1, raster.Visible);
+    }
+
+    [Fact]
     public void Shadow_matrices_are_those_of_the_report()
     {
         Vector p = new(1.5, 0.8, -0.3);

@@ -3,7 +3,11 @@ using RayTracer.Jobs;
 namespace RayTracer.Study;
 
 /// <summary>The page about a study: the question, the chart, and the figures.</summary>
-internal sealed class ComplexityPage(ComplexityPlan plan, ComplexityStudy study, Machine machine)
+/// <param name="plan">The numbers of triangles.</param>
+/// <param name="study">Rays in random directions.</param>
+/// <param name="picture">Rays of a picture, and the rasterizer.</param>
+/// <param name="machine">The machine.</param>
+internal sealed class ComplexityPage(ComplexityPlan plan, ComplexityStudy study, ComplexityStudy picture, Machine machine)
 {
     /// <summary>The page's title.</summary>
     public const string Title = "What a ray costs, by the number of triangles";
@@ -11,15 +15,14 @@ internal sealed class ComplexityPage(ComplexityPlan plan, ComplexityStudy study,
     /// <summary>The file of the chart.</summary>
     public const string ChartFile = "complexity.svg";
 
-    /// <summary>The chart of what was measured.</summary>
-    public ChartPanel Panel => new(
-        "One thread",
-        "triangles",
-        "time a ray in nanoseconds",
-        [.. Measured.Select(m => new ChartSeries(m.Name, m.Colour, PointsOf(m), FitOf(m)!.At))],
-        IsLogarithmic: true);
+    /// <summary>The file of the chart of pictures.</summary>
+    public const string PictureChartFile = "visible.svg";
 
-    private IEnumerable<Method> Measured => Method.All.Where(m => study.Points[m].Count > 1);
+    /// <summary>The chart of what was measured.</summary>
+    public ChartPanel Panel => PanelOf(study, "One thread", "time a ray in nanoseconds");
+
+    /// <summary>The chart of pictures.</summary>
+    public ChartPanel PicturePanel => PanelOf(picture, "Two ways to find what is visible, one thread", "time a pixel in nanoseconds");
 
     /// <summary>Writes everything.</summary>
     public void Write(PageWriter page)
@@ -33,15 +36,15 @@ internal sealed class ComplexityPage(ComplexityPlan plan, ComplexityStudy study,
         page.Paragraph("Curves a + b·f(n) in nanoseconds, by least squares of relative deviations. What deviates upwards at the right end does so where the triangles no longer fit into the processor's caches.");
         page.Table(
             ["Method", "f(n)", "a", "b", "Largest deviation"],
-            Measured.Select(m => (IReadOnlyList<string>)[m.Name, m.Law, $"{FitOf(m).Constant:G3}", $"{FitOf(m).Factor:G3}", $"{FitOf(m).LargestDeviation(PointsOf(m)):P0}"]));
+            Measured(study).Select(m => (IReadOnlyList<string>)[m.Name, m.Law, $"{FitOf(study, m).Constant:G3}", $"{FitOf(study, m).Factor:G3}", $"{FitOf(study, m).LargestDeviation(PointsOf(study, m)):P0}"]));
         page.Heading("Nanoseconds a ray");
-        WriteTable(page, p => Number(p.NanosecondsPerRay));
+        WriteTable(page, study, p => Number(p.NanosecondsPerRay));
         page.Heading("Seconds to build");
         page.Paragraph("The BVHs are built by all threads, the others by one.");
-        WriteTable(page, p => Number(p.BuildSeconds));
+        WriteTable(page, study, p => Number(p.BuildSeconds));
         page.Heading("Bytes a triangle");
         page.Paragraph("Beside corners and indices, which all have.");
-        WriteTable(page, p => Number(p.BytesPerTriangle));
+        WriteTable(page, study, p => Number(p.BytesPerTriangle));
         foreach ((Method method, int count) in study.LeftOut)
         {
             page.Paragraph(
@@ -49,7 +52,47 @@ internal sealed class ComplexityPage(ComplexityPlan plan, ComplexityStudy study,
         }
 
         page.Paragraph($"Of all rays, {study.Disagreements} met another triangle by one method than by another: rays through an edge that two triangles share.");
+        WritePictures(page);
     }
+
+    private void WritePictures(PageWriter page)
+    {
+        page.Heading("Two ways to find what is visible");
+        page.Paragraph("A rasterizer asks for each triangle which pixels it covers, and keeps the nearest; a ray tracer asks for each pixel which triangle it meets. The same picture of the landscape by both, a pixel at a time: the rasterizer's time grows with the number of triangles, that of rays with its logarithm. Trees were built before.");
+        page.Picture(PictureChartFile, "Time a pixel against the number of triangles; both axes are logarithmic.");
+        WriteTable(page, picture, p => Number(p.NanosecondsPerRay));
+        foreach (Method rays in Method.OfPictures.Skip(1))
+        {
+            page.Paragraph(Crossing(rays) is { } n ? $"The rasterizer is slower than {rays.Name} from about {n:G2} triangles on." : $"The rasterizer is slower than {rays.Name}, or faster, at all numbers of triangles here: they do not cross.");
+        }
+
+        page.Paragraph($"Of all pixels, {picture.Disagreements} show another triangle by one method than by another: those whose middle lies on an edge but for rounding.");
+        foreach ((string file, string caption, _) in TwoWays.Pictures)
+        {
+            page.Picture(file, caption);
+        }
+    }
+
+    /// <summary>The number of triangles from which on the rasterizer is slower than a method that traces rays; null where there is none.</summary>
+    public double? Crossing(Method rays)
+    {
+        (double X, double Ratio)[] ratios = [.. picture.Points[Method.OfPictures[0]].Join(
+            picture.Points[rays], r => r.Triangles, t => t.Triangles, (r, t) => ((double)r.Triangles, Math.Log(r.NanosecondsPerRay / t.NanosecondsPerRay)))];
+        int above = Array.FindIndex(ratios, r => r.Ratio > 0);
+        if (above <= 0)
+        {
+            return null;
+        }
+
+        // On logarithmic axes, a straight line between two measurements.
+        ((double x, double low), (double next, double high)) = (ratios[above - 1], ratios[above]);
+        return x * Math.Pow(next / x, -low / (high - low));
+    }
+
+    private static ChartPanel PanelOf(ComplexityStudy study, string title, string time) => new(
+        title, "triangles", time, [.. Measured(study).Select(m => new ChartSeries(m.Name, m.Colour, PointsOf(study, m), FitOf(study, m).At))], IsLogarithmic: true);
+
+    private static IEnumerable<Method> Measured(ComplexityStudy study) => study.Methods.Where(m => study.Points[m].Count > 1);
 
     private static string Number(double value) => value switch
     {
@@ -59,15 +102,15 @@ internal sealed class ComplexityPage(ComplexityPlan plan, ComplexityStudy study,
         _ => "< 0.001",
     };
 
-    private (double X, double Y)[] PointsOf(Method method) =>
+    private static (double X, double Y)[] PointsOf(ComplexityStudy study, Method method) =>
         [.. study.Points[method].Select(p => ((double)p.Triangles, p.NanosecondsPerRay))];
 
-    private GrowthFit FitOf(Method method) => GrowthFit.Of(method.Growth, PointsOf(method));
+    private static GrowthFit FitOf(ComplexityStudy study, Method method) => GrowthFit.Of(method.Growth, PointsOf(study, method));
 
-    private void WriteTable(PageWriter page, Func<ComplexityPoint, string> value) => page.Table(
-        ["Triangles", .. Method.All.Select(m => m.Name)],
-        plan.Counts.Where(n => study.Points.Values.Any(points => points.Exists(p => p.Triangles == n))).Select(n => (IReadOnlyList<string>)
+    private void WriteTable(PageWriter page, ComplexityStudy measured, Func<ComplexityPoint, string> value) => page.Table(
+        ["Triangles", .. measured.Methods.Select(m => m.Name)],
+        plan.Counts.Where(n => measured.Points.Values.Any(points => points.Exists(p => p.Triangles == n))).Select(n => (IReadOnlyList<string>)
         [
-            $"{n}", .. Method.All.Select(m => study.Points[m].Find(p => p.Triangles == n) is { } point ? value(point) : "–"),
+            $"{n}", .. measured.Methods.Select(m => measured.Points[m].Find(p => p.Triangles == n) is { } point ? value(point) : "–"),
         ]));
 }

@@ -1,4 +1,6 @@
+using RayTracer.Imaging;
 using RayTracer.Jobs;
+using RayTracer.Textures;
 
 namespace RayTracer.Study;
 
@@ -17,13 +19,21 @@ internal sealed class ComplexityRun(ComplexityPlan plan, string folder, TextWrit
         OutputFolder files = new(folder, output);
         files.Prepare(ComplexityPage.ChartFile);
         ComplexityStudy study = new(plan);
-        study.Run(Report, cancellation);
-        ComplexityPage page = new(plan, study, machine);
+        study.Run((method, point) => Report(method, point, "ray"), cancellation);
+        ComplexityStudy picture = ComplexityStudy.OfPicture(plan);
+        picture.Run((method, point) => Report(method, point, "pixel"), cancellation);
+        foreach ((string file, _, Func<Picture> make) in TwoWays.Pictures)
+        {
+            ImageFile.Write(files[file], make());
+        }
+
+        ComplexityPage page = new(plan, study, picture, machine);
         files.Write(ComplexityPage.ChartFile, SvgChart.Draw([page.Panel]));
+        files.Write(ComplexityPage.PictureChartFile, SvgChart.Draw([page.PicturePanel]));
         files.WritePages(ComplexityPage.Title, page.Write);
     }
 
-    private void Report(Method method, ComplexityPoint point) =>
+    private void Report(Method method, ComplexityPoint point, string unit) =>
         output.WriteLine(
-            $"{point.Triangles} triangles, {method.Name}: {point.NanosecondsPerRay:F0} ns a ray, built in {point.BuildSeconds:F3} s");
+            $"{point.Triangles} triangles, {method.Name}: {point.NanosecondsPerRay:F0} ns a {unit}, built in {point.BuildSeconds:F3} s");
 }

@@ -38,6 +38,16 @@ internal sealed record Method(string Name, string Colour, string Law, Func<doubl
         new("BVH, streams", "#0b8f9c", "log₂ n", Math.Log2, m => new BvhTracer(m, streams: true)),
     ];
 
+    /// <summary>Those that are measured on a picture; the first finds what is visible without rays.</summary>
+    public static IReadOnlyList<Method> OfPictures { get; } =
+    [
+        new("rasterizer", "#c1440e", "n", n => n, m => new RasterTracer(m)),
+        .. All.Where(m => m.Name is "boxes by area" or "BVH, streams"),
+    ];
+
+    /// <summary>The most triangles in pictures: a rasterizer that is written to be read keeps much of each.</summary>
+    public const int MostOfPicture = 1_000_000;
+
     private static Method OfTree(string name, string colour, string law, Func<double, double> growth, Func<IReadOnlyList<IShape>, IAccelerator> build) =>
         new(name, colour, law, growth, mesh => new TreeTracer(mesh, build));
 }

@@ -53,13 +53,13 @@ public sealed class Rasterizer(int width, int height)
     /// <param name="camera">The matrix of view and projection.</param>
     public void Draw(IReadOnlyList<Face> faces, Matrix camera)
     {
+        Span<Vertex> clipped = stackalloc Vertex[4];
         IEnumerable<int> order = Enumerable.Range(0, faces.Count);
         foreach (int i in IsPainter ? order.OrderByDescending(i => camera.Of((faces[i].A + faces[i].B + faces[i].C) * (1.0 / 3)).W) : order)
         {
             Face f = faces[i];
             (Vector a, Vector b, Vector c) = f.Normals ?? (f.Normal, f.Normal, f.Normal);
             Span<Vertex> corners = [new(camera.Of(f.A), Light(f.A, a, f.Color)), new(camera.Of(f.B), Light(f.B, b, f.Color)), new(camera.Of(f.C), Light(f.C, c, f.Color))];
-            Span<Vertex> clipped = stackalloc Vertex[4];
             int count = Clip(corners, clipped);
             for (int k = 2; k < count; k++)
             {

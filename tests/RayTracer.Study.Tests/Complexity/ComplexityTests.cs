@@ -1,5 +1,6 @@
 using System.Numerics;
 using System.Xml.Linq;
+using RayTracer.Jobs;
 using RayTracer.Shapes;
 
 namespace RayTracer.Study.Tests;
@@ -16,7 +17,7 @@ public sealed class ComplexityTests : IDisposable
     {
         using StringWriter output = new();
         new ComplexityRun(Tiny, _folder["new"], output).Run(CancellationToken.None);
-        Assert.Equal(["complexity.svg", "index.html", "index.md"], Directory.GetFiles(_folder["new"]).Select(f => Path.GetFileName(f)).Order(StringComparer.Ordinal));
+        Assert.Equal(["complexity.svg", "index.html", "index.md", "visible-painter.png", "visible-rays.png", "visible-z-buffer.png", "visible.svg"], Directory.GetFiles(_folder["new"]).Select(f => Path.GetFileName(f)).Order(StringComparer.Ordinal));
         XDocument chart = XDocument.Load(Path.Combine(_folder["new"], "complexity.svg"));
         Assert.Equal(Method.All.Count * Tiny.Counts.Count, chart.Descendants().Count(e => e.Name.LocalName == "circle"));
         string page = File.ReadAllText(Path.Combine(_folder["new"], "index.md"));
@@ -38,6 +39,36 @@ public sealed class ComplexityTests : IDisposable
 
         // A ray through an edge may go to either side by another test of triangles.
         Assert.All(hits, h => Assert.InRange(h.Zip(hits[0]).Count(pair => pair.First != pair.Second), 0, 2));
+    }
+
+    [Fact]
+    public void The_rasterizer_finds_the_triangles_of_the_picture_s_rays()
+    {
+        const int Side = 100;
+        MeshData mesh = Terrain.Create(3000);
+        (Vector3 Origin, Vector3 Direction)[] rays = [.. Enumerable.Range(0, Side * Side).Select(i => TerrainView.RayOf(i, Side))];
+        int[][] hits = [.. Method.OfPictures.Select(m =>
+        {
+            int[] found = new int[rays.Length];
+            m.Build(mesh).Trace(rays, found);
+            return found;
+        })];
+        Assert.InRange(hits[0].Count(h => h >= 0), 3000, 10_000);
+
+        // Rays are in single precision.
+        Assert.All(hits, h => Assert.InRange(h.Zip(hits[0]).Count(pair => pair.First != pair.Second), 0, 5));
+    }
+
+    [Fact]
+    public void The_place_where_both_ways_cross_lies_between_the_measurements_around_it()
+    {
+        ComplexityStudy picture = ComplexityStudy.OfPicture(Tiny);
+        (Method raster, Method rays) = (Method.OfPictures[0], Method.OfPictures[1]);
+        picture.Points[raster].AddRange([new(10, 1, 0, 0), new(100, 10, 0, 0), new(1000, 100, 0, 0)]);
+        picture.Points[rays].AddRange([new(10, 20, 0, 0), new(100, 20, 0, 0), new(1000, 20, 0, 0)]);
+        ComplexityPage page = new(Tiny, new(Tiny), picture, Machine.Now());
+        Assert.Equal(200, page.Crossing(rays)!.Value, 6);
+        Assert.Null(page.Crossing(Method.OfPictures[2]));
     }
 
     [Theory]
@@ -81,7 +112,7 @@ public sealed class ComplexityTests : IDisposable
         study.Run((_, _) => { }, CancellationToken.None);
         Assert.Equal(100, study.LeftOut[Method.All[0]]);
         MarkdownPage page = new(ComplexityPage.Title);
-        new ComplexityPage(hasty, study, Jobs.Machine.Now()).Write(page);
+        new ComplexityPage(hasty, study, ComplexityStudy.OfPicture(hasty), Jobs.Machine.Now()).Write(page);
         Assert.Contains("left out from 100 triangles on", page.Finish(), StringComparison.Ordinal);
     }
 
