@@ -231,23 +231,18 @@ internal static class RayFigures
         const int Rows = 16;
         Figure figure = new(660, 270);
         Vector[] points = [new(1, 2, 2), new(22.5, 6, 8), new(2, 14.5, 2.5), new(22.5, 1.5, 1.5), new(23, 14, 3), new(2, 9, 8)];
-        (MeshTriangle Triangle, string Colour)[] triangles = [(new(points, 0, 1, 2), Blue), (new(points, 3, 4, 5), Amber)];
+        Face[] faces = [new(points[0], points[1], points[2], Rgb.White), new(points[3], points[4], points[5], Rgb.White)];
+
+        // Columns and rows are those of the points; depths are up to 10.
+        Matrix camera = new(new(2.0 / Columns, 0, 0, -1), new(0, -2.0 / Rows, 0, 1), new(0, 0, 0.1, 0), new(0, 0, 0, 1));
         for (int panel = 0; panel < 2; panel++)
         {
+            Rasterizer rasterizer = new(Columns, Rows) { IsPainter = panel == 0 };
+            rasterizer.Draw(faces, camera);
             for (int i = 0; i < Columns * Rows; i++)
             {
-                (int column, int row) = (i % Columns, i / Columns);
-                Ray ray = new(new(column + 0.5, row + 0.5, 0), new(0, 0, 1));
-                Hit nearest = Hit.None();
-                string colour = "#f2f2f2";
-                foreach ((MeshTriangle triangle, string own) in triangles)
-                {
-                    // The painter forgets what was there before.
-                    nearest = panel == 0 ? Hit.None() : nearest;
-                    colour = triangle.Intersect(ray, ref nearest) ? own : colour;
-                }
-
-                figure.Rectangle(25 + (320 * panel) + (12 * column), 20 + (12 * row), 12, 12, colour, "#ffffff");
+                string colour = rasterizer.Visible[i] < 0 ? "#f2f2f2" : rasterizer.Visible[i] == 0 ? Blue : Amber;
+                figure.Rectangle(25 + (320 * panel) + (12 * (i % Columns)), 20 + (12 * (i / Columns)), 12, 12, colour, "#ffffff");
             }
         }
 
