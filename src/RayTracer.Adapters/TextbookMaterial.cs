@@ -106,7 +106,11 @@ internal sealed unsafe class TextbookMaterial(IMaterial material, string? recipr
 
         scatter = new()
         {
-            Direction = lanes.Direction, Weight = lanes.Color, Specular = Lanes.Mask(glossy), Delta = Lanes.Mask(delta), Absorbed = Lanes.Mask(absorbed),
+            Direction = lanes.Direction,
+            Weight = lanes.Color,
+            Specular = Lanes.Mask(glossy),
+            Delta = Lanes.Mask(delta),
+            Absorbed = Lanes.Mask(absorbed),
         };
     }
 

@@ -78,14 +78,14 @@ internal sealed class ComplexityPage(ComplexityPlan plan, ComplexityStudy study,
     {
         (double X, double Ratio)[] ratios = [.. picture.Points[Method.OfPictures[0]].Join(
             picture.Points[rays], r => r.Triangles, t => t.Triangles, (r, t) => ((double)r.Triangles, Math.Log(r.NanosecondsPerRay / t.NanosecondsPerRay)))];
-        int above = Array.FindIndex(ratios, r => r.Ratio > 0);
-        if (above <= 0)
+        int below = Array.FindLastIndex(ratios, r => r.Ratio <= 0);
+        if (below < 0 || below == ratios.Length - 1)
         {
             return null;
         }
 
         // On logarithmic axes, a straight line between two measurements.
-        ((double x, double low), (double next, double high)) = (ratios[above - 1], ratios[above]);
+        ((double x, double low), (double next, double high)) = (ratios[below], ratios[below + 1]);
         return x * Math.Pow(next / x, -low / (high - low));
     }
 
