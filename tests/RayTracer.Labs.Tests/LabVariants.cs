@@ -54,9 +54,9 @@ internal sealed class LabVariants : IDisposable
     /// <summary>The name of the variant with a mistake.</summary>
     public static string NameOf(int mistake) => $"Mistake{mistake}";
 
-    /// <summary>Runs the checks of a variant.</summary>
-    public IReadOnlyList<Finding> Check(Lab lab, string variant, string student) =>
-        [.. CheckHost.Checks(_assembly, $"Lab{lab.Number}.{variant}").Select(c => CheckHost.Run(c.Check, c.Method, student))];
+    /// <summary>Runs the checks of a variant, each as its finding is asked for.</summary>
+    public IEnumerable<Finding> Check(Lab lab, string variant, string student) =>
+        CheckHost.Checks(_assembly, $"Lab{lab.Number}.{variant}").Select(c => CheckHost.Run(c.Check, c.Method, student));
 
     private static Dictionary<string, string> Texts(Lab lab, string folder) =>
         Directory.GetFiles(Path.Combine(FolderOf(lab), folder)).ToDictionary(f => Path.GetFileName(f), f => File.ReadAllText(f).ReplaceLineEndings("\n"));

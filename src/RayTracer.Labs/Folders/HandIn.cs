@@ -41,10 +41,7 @@ internal static class HandIn
     /// <exception cref="LabException">It is no hand-in, or too large.</exception>
     public static (LabFolder Folder, bool IsAsHandedIn) Unpack(string path, string target)
     {
-        (string Name, byte[] Content)[] files = Directory.Exists(path) ? FromFolder(path) : FromZip(path);
-        byte[] text = files.FirstOrDefault(f => f.Name == LabFolder.CardName).Content ?? throw new LabException($"'{path}' is no hand-in: it has no {LabFolder.CardName}");
-        LabCard card = LabCard.Read(Encoding.UTF8.GetString(text).TrimStart('\uFEFF'), $"{path}/{LabFolder.CardName}");
-        (string Name, byte[] Content)[] sources = [.. files.Where(f => LabFolder.IsSource(f.Name)).OrderBy(f => f.Name, StringComparer.Ordinal)];
+        (LabCard card, (string Name, byte[] Content)[] sources) = Directory.Exists(path) ? Sort(FromFolder(path), path) : Read(File.ReadAllBytes(path), path);
         for (int i = 0; i < sources.Length; i++)
         {
             // The name alone, in a folder with a number: two folders may have files of the same name.
@@ -56,6 +53,32 @@ internal static class HandIn
         return (new(target, card), card.Hash is null || card.Hash == Hash(sources));
     }
 
+    /// <summary>Reads the zip of a hand-in: whose it is, and its sources, with the paths that they have in it.</summary>
+    /// <param name="file">The zip.</param>
+    /// <param name="path">What messages call it.</param>
+    /// <exception cref="LabException">It is no hand-in, or too large.</exception>
+    public static (LabCard Card, (string Name, byte[] Content)[] Sources) Read(byte[] file, string path)
+    {
+        try
+        {
+            using ZipArchive zip = new(new MemoryStream(file));
+            ZipArchiveEntry[] entries = [.. zip.Entries.Where(e => IsWanted(e.FullName)).Take(MostFiles + 2)];
+            CheckSize(entries.Length, entries.Sum(e => e.Length), path);
+            return Sort([.. entries.Select(e => (e.FullName, Unzip(e, path)))], path);
+        }
+        catch (Exception e) when (e is InvalidDataException or NotSupportedException or ArgumentException)
+        {
+            throw new LabException($"'{path}' is no zip that can be read: {e.Message.ReplaceLineEndings(" ")}");
+        }
+    }
+
+    private static (LabCard Card, (string Name, byte[] Content)[] Sources) Sort((string Name, byte[] Content)[] files, string path)
+    {
+        byte[] text = files.FirstOrDefault(f => f.Name == LabFolder.CardName).Content ?? throw new LabException($"'{path}' is no hand-in: it has no {LabFolder.CardName}");
+        LabCard card = LabCard.Read(Encoding.UTF8.GetString(text).TrimStart('\uFEFF'), $"{path}/{LabFolder.CardName}");
+        return (card, [.. files.Where(f => LabFolder.IsSource(f.Name)).OrderBy(f => f.Name, StringComparer.Ordinal)]);
+    }
+
     private static (string Name, byte[] Content)[] FromFolder(string path)
     {
         // A link may lead out of the folder.
@@ -65,23 +88,8 @@ internal static class HandIn
         return [.. files.Select(f => (Path.GetRelativePath(path, f.FullName).Replace('\\', '/'), File.ReadAllBytes(f.FullName)))];
     }
 
-    private static (string Name, byte[] Content)[] FromZip(string path)
-    {
-        try
-        {
-            using ZipArchive zip = ZipFile.OpenRead(path);
-            ZipArchiveEntry[] entries = [.. zip.Entries.Where(e => IsWanted(e.FullName)).Take(MostFiles + 2)];
-            CheckSize(entries.Length, entries.Sum(e => e.Length), path);
-            return [.. entries.Select(e => (e.FullName, Read(e, path)))];
-        }
-        catch (Exception e) when (e is InvalidDataException or NotSupportedException or ArgumentException)
-        {
-            throw new LabException($"'{path}' is no zip that can be read: {e.Message.ReplaceLineEndings(" ")}");
-        }
-    }
-
     // What it is unpacked to is counted: what the zip says of its length need not be true.
-    private static byte[] Read(ZipArchiveEntry entry, string path)
+    private static byte[] Unzip(ZipArchiveEntry entry, string path)
     {
         using Stream stream = entry.Open();
         using MemoryStream content = new();

@@ -11,6 +11,9 @@ public sealed record LabCard(int Lab, string Name, string Version, string? Hash 
 {
     private const int LongestName = 100;
 
+    /// <summary>How it is written and read.</summary>
+    internal static JsonSerializerOptions Json { get; } = new() { WriteIndented = true, PropertyNameCaseInsensitive = true, ReadCommentHandling = JsonCommentHandling.Skip };
+
     /// <summary>Reads one.</summary>
     /// <param name="text">The JSON.</param>
     /// <param name="file">What messages call it.</param>
@@ -19,7 +22,7 @@ public sealed record LabCard(int Lab, string Name, string Version, string? Hash 
     {
         try
         {
-            LabCard? card = JsonSerializer.Deserialize<LabCard>(text, new JsonSerializerOptions { PropertyNameCaseInsensitive = true, ReadCommentHandling = JsonCommentHandling.Skip });
+            LabCard? card = JsonSerializer.Deserialize<LabCard>(text, Json);
             return card is { Name: { Length: > 0 and <= LongestName } name } && !name.Any(char.IsControl) && Labs.Lab.Of(card.Lab) is not null ? card
                 : throw new LabException($"{file}: a \"name\" of 1 to {LongestName} characters in one line is expected, and the number of the \"lab\"");
         }

@@ -19,7 +19,6 @@ public sealed record LabFolder(string Path, LabCard Card)
 
     // Compiling takes a few seconds, and longer where all processors are busy.
     private static readonly TimeSpan s_patience = TimeSpan.FromSeconds(120);
-    private static readonly JsonSerializerOptions s_json = new() { WriteIndented = true, PropertyNameCaseInsensitive = true };
     private static readonly MarkdownPipeline s_markdown = new MarkdownPipelineBuilder().UsePipeTables().DisableHtml().Build();
 
     /// <summary>The namespaces that a lab's project uses everywhere.</summary>
@@ -64,7 +63,7 @@ public sealed record LabFolder(string Path, LabCard Card)
         }
 
         folder.Write("handout.html", HtmlPage.Of(lab.Title, Markdown.ToHtml(lab.Text("handout.md"), s_markdown)));
-        folder.Write(CardName, JsonSerializer.Serialize(folder.Card, s_json));
+        folder.Write(CardName, JsonSerializer.Serialize(folder.Card, LabCard.Json));
         folder.Write($"Lab{lab.Number}.csproj", Project);
         folder.Write("nuget.config", Feed);
         folder.Write(".gitignore", "bin/\nobj/\nreport/\n");

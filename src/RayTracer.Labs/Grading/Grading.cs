@@ -6,6 +6,9 @@ namespace RayTracer.Labs;
 /// <param name="Note">What a teacher should know besides: why it could not be checked, or that it has been changed; null for nothing.</param>
 internal sealed record Mark(string Source, LabCheck? Check, string? Note)
 {
+    /// <summary>The first error of the compiler, or else the note; null for neither.</summary>
+    public string? Problem => Check?.Errors is [var error, ..] ? error : Note;
+
     /// <summary>A line of a list of marks.</summary>
     public string Line
     {

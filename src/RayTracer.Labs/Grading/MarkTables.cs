@@ -15,14 +15,14 @@ internal static class MarkTables
     public static string Csv(IReadOnlyList<Mark> marks) => string.Concat(marks.Select(m => new[]
     {
         m.Source, m.Check?.Card.Name ?? "", Number(m.Check?.Card.Lab), Number(m.Check?.Points), Number(m.Check?.Most),
-        string.Join("; ", (m.Check?.Findings ?? []).Where(f => !f.IsRight).Select(f => f.Title)), m.Check?.Errors.FirstOrDefault() ?? m.Note ?? "",
+        string.Join("; ", (m.Check?.Findings ?? []).Where(f => !f.IsRight).Select(f => f.Title)), m.Problem ?? "",
     }).Prepend(["hand-in", "name", "lab", "points", "most", "wrong", "note"]).Select(row => string.Join(',', row.Select(Cell)) + "\r\n"));
 
     /// <summary>JUnit XML: a suite for each hand-in, a test for each check.</summary>
     public static string JUnit(IReadOnlyList<Mark> marks) => new XDocument(new XElement("testsuites", marks.Select(m =>
     {
         IReadOnlyList<Finding> findings = m.Check is { Errors: [] } check ? check.Findings
-            : [new Finding("it compiles", 0) { Sentence = m.Check?.Errors.FirstOrDefault() ?? m.Note }];
+            : [new Finding("it compiles", 0) { Sentence = m.Problem }];
         string name = m.Check is null ? m.Source : $"lab {m.Check.Card.Lab}: {m.Check.Card.Name}";
         return new XElement(
             "testsuite", Attribute("name", name), Attribute("tests", Number(findings.Count)), Attribute("failures", Number(findings.Count(f => !f.IsRight))),
