@@ -55,7 +55,7 @@ internal sealed class Cells
     private const double LargestShare = 1.0 / 150;
     private const int QuadratureLevels = 7;
 
-    // Gauss's and Legendre's rule of three points, from −1 to 1 (Abramowitz & Stegun 1972, table 25.4).
+    // Gauss's and Legendre's rule of three points, from −1 to 1 (Abramowitz & Stegun 1964, table 25.4).
     private static readonly (double At, double Weight)[] s_rule = [(-0.7745966692414834, 5 / 9.0), (0, 8 / 9.0), (0.7745966692414834, 5 / 9.0)];
     private readonly Area _area;
     private readonly List<(Area Area, int FirstPart, int Cell)> _nodes = [];
