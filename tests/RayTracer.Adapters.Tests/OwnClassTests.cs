@@ -10,6 +10,7 @@ namespace RayTracer.Adapters.Tests;
 /// Classes of a student, in a plug-in, take part in both editions: the fast edition's own things, a student's in the fast edition and a student's in
 /// the textbook edition expect the same picture.
 /// </summary>
+[Trait("Category", "Thorough")]
 public class OwnClassTests
 {
     private static readonly int s_seeds = TestSettings.Scale(8, 64);

@@ -89,7 +89,7 @@ public class HelpTests
     {
         string page = CliRun.Of("man").Output;
         Assert.StartsWith(".TH RAYTRACER 1 ", page, StringComparison.Ordinal);
-        Assert.All(s_verbs, verb => Assert.Contains($"\n.SS {verb.Name}\n", page, StringComparison.Ordinal));
+        Assert.All(s_verbs, verb => Assert.Contains($"\n.SS {verb.Name.Replace("-", "\\-", StringComparison.Ordinal)}\n", page, StringComparison.Ordinal));
         Assert.All(s_verbs.SelectMany(v => v.Options).SelectMany(o => o.Names), name => Assert.Contains($"\\fB{name.Replace("-", "\\-", StringComparison.Ordinal)}\\fR", page, StringComparison.Ordinal));
         Assert.All(page, c => Assert.InRange(c, '\n', '~'));
     }

@@ -29,6 +29,7 @@ public sealed partial class LabTests
 
     [Theory]
     [MemberData(nameof(Labs))]
+    [Trait("Category", "Thorough")]
     public void A_solution_gets_all_points_whatever_the_name(int number)
     {
         string[] names = [.. Enumerable.Range(0, TestSettings.Scale(20, 400)).Select(i => i == 0 ? "Ada" : $"Student {i}")];

@@ -51,6 +51,7 @@ public class MaterialFactsTests
 
     [Theory]
     [MemberData(nameof(Right))]
+    [Trait("Category", "Thorough")]
     public void The_facts_hold_for_materials_that_are_right(string name)
     {
         string? exception = s_right[name] is Phong or Coated ? "the lobe stands for BRDF · cosine" : null;

@@ -40,6 +40,7 @@ public class ShapeFactsTests
 
     [Theory]
     [MemberData(nameof(Right))]
+    [Trait("Category", "Thorough")]
     public void The_facts_hold_for_shapes_that_are_right(string name)
     {
         for (int seed = 0; seed < TestSettings.Scale(1, 4); seed++)
