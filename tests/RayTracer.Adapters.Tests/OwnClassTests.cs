@@ -3,6 +3,7 @@ using RayTracer.Imaging;
 using RayTracer.Jobs;
 using RayTracer.Scenes;
 using RayTracer.StudentPlugin;
+using RayTracer.Textbook;
 
 namespace RayTracer.Adapters.Tests;
 
@@ -41,7 +42,7 @@ public class OwnClassTests
               "render": { "width": 24, "height": 16, "samplesPerPixel": 64, "sampler": "independent", "integrator": "{{integrator}}"{{limits}} },
               "shapes": [ { "type": "plane", "point": [0, 0, 0], "normal": [0, 1, 0], "size": [8, 8], "material": { "type": MATT, "color": { "type": "checker", "scale": [8, 8] } } },
                 { "type": BALL, "center": [-1.3, 0.5, 0.2], "radius": 0.5, "material": { "type": GLOSS, "alpha": 0.3 } },
-                { "type": BALL, "center": [0.2, 0.6, 0], "radius": 0.6, "material": { "type": GLASS } },
+                { "type": BALL, "center": [0.2, 0.2, 0], "radius": 0.6, "material": { "type": GLASS } },
                 { "type": BALL, "center": [0, 0, 0], "radius": 0.5, "transform": [ { "scale": [1, 1.6, 0.7], "rotate": 30 }, { "translate": [1.4, 0.8, -0.3] } ], "material": { "type": MATT, "color": [0.7, 0.3, 0.2] } } ],
               "lights": [ { "type": BALL, "center": [1.6, 3.4, 2.2], "radius": 0.8, "material": { "type": "luminaire", "multiplier": 4, "material": { "type": MATT } } },
                 { "type": "point", "position": [-2, 3, 1], "intensity": [6, 7, 9] } ] }
@@ -99,6 +100,32 @@ public class OwnClassTests
         string Complaint(string scene) => Diagnostic.Format(SceneLoader.LoadText(scene, "scene.json", ".").Diagnostics);
         Assert.Contains(
             "sees its textures by u and v", Complaint("""{ "shapes": [ { "type": "sphere", "material": { "type": "ownMatt", "color": { "type": "noise" } } } ] }"""), StringComparison.Ordinal);
+    }
+
+    [Fact]
+    public void A_material_that_goes_through_both_adapters_is_itself()
+    {
+        Hit hit = new() { Normal = new(0, 0, 1), Shading = new(0, 0, 1), Distance = 1 };
+        hit.Face(new(0, 0, -1));
+        Vector from = new Vector(0.3, -0.4, 0.8).Unit;
+        IndependentSampler sampler = new(TestSettings.Seed);
+        IMaterial own = new OwnGloss(0.3);
+        LaneMaterial gloss = new(new TextbookMaterial(own, null));
+        LaneMaterial glass = new(new TextbookMaterial(new OwnGlass(1.5), null));
+        int refracted = 0;
+        for (int i = 0; i < 200; i++)
+        {
+            Vector to = Warp.CosineHemisphere(sampler.Next2());
+            Assert.Equal(1, gloss.Evaluate(hit, from, to).G / own.Evaluate(hit, from, to).G, 1e-3);
+            Assert.Equal(1, gloss.Pdf(hit, from, to) / own.Pdf(hit, from, to), 1e-3);
+
+            // Particles of light do not grow fewer where radiance does.
+            Scattering s = glass.Sample(hit, from, sampler)!.Value;
+            refracted += s.Direction.Z < 0 ? 1 : 0;
+            Assert.Equal(s.Direction.Z < 0 ? 1 / (1.5 * 1.5) : 1, s.Weight.G / s.ParticleWeight.G, 1e-5);
+        }
+
+        Assert.InRange(refracted, 50, 150);
     }
 
     private static FilmHeader HeaderOf(RenderJob job)
