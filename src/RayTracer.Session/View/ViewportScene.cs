@@ -50,12 +50,12 @@ public sealed record ViewportScene(
     /// <exception cref="SessionException">It lacks something that the scene has.</exception>
     internal Textbook.Renderer? ReadTextbook()
     {
-        if (Settings.Edition is null || Good.Load is not { } load)
+        if (Edition.For(Settings.Edition, Scene.Render) is not { } edition || Good.Load is not { } load)
         {
             return null;
         }
 
-        Textbook.Renderer? renderer = Edition.Renderer(Settings.Edition, load with { Description = PictureView.Rendered(this) }, out IReadOnlyList<Diagnostic> refused);
+        Textbook.Renderer? renderer = Edition.Renderer(edition, load with { Description = PictureView.Rendered(this) }, out IReadOnlyList<Diagnostic> refused);
         return renderer ?? throw new SessionException($"{refused[0]}; the fast edition renders it");
     }
 

@@ -11,7 +11,7 @@ namespace RayTracer.Session;
 /// <param name="renderer">The edition's renderer of it.</param>
 internal sealed class TextbookPaths(ViewportScene shown, Renderer renderer)
 {
-    private readonly bool _weighsPart = shown.Settings.Edition!.Contains(':', StringComparison.Ordinal) || shown.Scene.Render.Integrator.Name == "report";
+    private readonly bool _weighsPart = shown.Settings.Edition?.Contains(':', StringComparison.Ordinal) == true || shown.Scene.Render.Integrator.Name == "report";
 
     /// <summary>Follows some samples of a pixel.</summary>
     public IEnumerable<InspectedPath> Trace(int x, int y, SampleRange samples) => Enumerable.Range(samples.First, samples.Count).Select(sample =>
