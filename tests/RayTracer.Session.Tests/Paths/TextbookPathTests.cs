@@ -87,7 +87,7 @@ public sealed class TextbookPathTests
             Assert.Equal(w.Tree == "plain loop" ? w.Tests : w.Visits, w.Steps.Count);
             Assert.Equal(w.Steps.Select(s => s.Tests), w.Steps.Select(s => s.Tests).Order());
             Assert.All(w.Steps.SelectMany(s => s.Lines).SelectMany(l => l), p => Assert.True(p.Length() < 100));
-            
+
             // A shape that reaches into several cells may be asked in each.
             Assert.InRange(w.Tests, 1, 12);
         });
