@@ -22,7 +22,12 @@ public static class TestSettings
     /// <summary>One number for every day, and another for a thorough run; about their geometric mean where that has little time.</summary>
     public static int Scale(int everyday, int thorough) => s_thorough == "some" ? Between(everyday, thorough) : Thorough ? thorough : everyday;
 
-    // A power of two between powers of two, which some sequences of samples need.
-    private static int Between(int a, int b) => int.IsPow2(a) && int.IsPow2(b)
-        ? 1 << ((int.Log2(a) + int.Log2(b)) / 2) : (int)double.Ceiling(double.Sqrt((double)a * b));
+    // A power of two between powers of two, and a square between squares: some sequences of samples need them.
+    private static int Between(int a, int b)
+    {
+        double root = double.Sqrt(double.Sqrt((double)a * b));
+        bool areSquares = double.IsInteger(double.Sqrt(a)) && double.IsInteger(double.Sqrt(b));
+        return int.IsPow2(a) && int.IsPow2(b) ? 1 << ((int.Log2(a) + int.Log2(b)) / 2)
+            : areSquares ? (int)double.Round(root) * (int)double.Round(root) : (int)double.Ceiling(root * root);
+    }
 }
