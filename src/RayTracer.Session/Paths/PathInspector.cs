@@ -8,7 +8,8 @@ namespace RayTracer.Session;
 
 /// <summary>Shows how the light of a pixel came about: follows its samples once more, in the renderer's own stages.</summary>
 /// <param name="view">The picture.</param>
-public sealed class PathInspector(PictureView view) : ISessionPart<PathInspector>
+/// <param name="textbook">Its scene in the textbook edition.</param>
+public sealed class PathInspector(PictureView view, TextbookReading textbook) : ISessionPart<PathInspector>
 {
     private const int MostPaths = 256;
 
@@ -16,7 +17,7 @@ public sealed class PathInspector(PictureView view) : ISessionPart<PathInspector
     private const int MostWithLight = 4;
 
     /// <inheritdoc/>
-    public static PathInspector Of(StudioSession session) => new(session.View);
+    public static PathInspector Of(StudioSession session) => new(session.View, session.Part<TextbookReading>());
 
     /// <summary>Follows some samples of a pixel.</summary>
     /// <param name="x">Column.</param>
@@ -46,9 +47,8 @@ public sealed class PathInspector(PictureView view) : ISessionPart<PathInspector
         return PixelSummary.Of([.. Trace(shown, x, y, Check(shown, x, y, 0, MostPaths))], shown.Scene.Render.Integrator);
     }
 
-    private static IEnumerable<InspectedPath> Trace(ViewportScene shown, int x, int y, SampleRange samples) =>
-        // Reading a scene of the textbook edition builds its tree.
-        shown.ReadTextbook() is { } textbook ? new TextbookPaths(shown, textbook).Trace(x, y, samples)
+    private IEnumerable<InspectedPath> Trace(ViewportScene shown, int x, int y, SampleRange samples) =>
+        textbook.Read(shown) is { } renderer ? new TextbookPaths(shown, renderer).Trace(x, y, samples)
             : new PathTracing(shown.Scene).Trace(x, y, samples).Select(p => Of(shown, p));
 
     internal static SampleRange Check(ViewportScene shown, int x, int y, int first, int count)
@@ -129,7 +129,7 @@ public sealed class PathInspector(PictureView view) : ISessionPart<PathInspector
 
     private static string? LightName(ViewportScene shown, int light) => light < 0 ? null : shown.Scene.SourceOfLight(light) is { } source ? NameOf(source) : "surroundings";
 
-    private static string NameOf(ShapeDescription? thing) => thing is null ? "" : thing.Name.Length > 0 ? thing.Name : TypeOf(thing);
+    internal static string NameOf(ShapeDescription? thing) => thing is null ? "" : thing.Name.Length > 0 ? thing.Name : TypeOf(thing);
 
     private static string NameOf(LightOutcome outcome) => outcome switch
     {
@@ -174,6 +174,6 @@ public sealed class PathInspector(PictureView view) : ISessionPart<PathInspector
 
     private static string TypeOf(object record) => RecordType.Of(record.GetType()).Name;
 
-    private static string NameOf(ViewportScene shown, MaterialDescription material) =>
+    internal static string NameOf(ViewportScene shown, MaterialDescription material) =>
         shown.Description.Materials.FirstOrDefault(m => ReferenceEquals(m.Value, material)).Key ?? TypeOf(material);
 }

@@ -31,7 +31,13 @@ internal sealed class TextbookPaths(ViewportScene shown, Renderer renderer)
     public RayNotes Follow(int x, int y, int sample, out Textbook.Rgb light)
     {
         RayNotes notes = new(renderer.Scene.Ambient, _weighsPart);
-        light = renderer.Follow(x, y, sample, notes);
+
+        // Photons are of one sample at a time, and several requests may look at once.
+        lock (renderer)
+        {
+            light = renderer.Follow(x, y, sample, notes);
+        }
+
         return notes;
     }
 
@@ -78,7 +84,7 @@ internal sealed class TextbookPaths(ViewportScene shown, Renderer renderer)
         Textbook.Rgb ambient = v.Throughput * v.Ambient;
         return new(
             EventOf(v, taken), PointOf(v), v.IsHit ? Point(v.Hit.Inside ? -v.Hit.Normal : v.Hit.Normal) : null, v.IsHit ? shown.PointerOf(v.Hit.Thing!.Source) : null, NameOf(v),
-            material is null ? "" : NameOf(material), Single(taken?.Weight ?? default), Single(v.Throughput),
+            material is null ? "" : PathInspector.NameOf(shown, material), Single(taken?.Weight ?? default), Single(v.Throughput),
             taken is { Pdf: > 0 } way ? (float)way.Pdf : null, Array(v.Contribution + rest), new(Array(emitted), Array(ambient), Array((v.Throughput * v.Direct) + rest)))
         {
             Bsdf = taken?.Bsdf is { } bsdf ? Single(bsdf) : null,
@@ -112,10 +118,7 @@ internal sealed class TextbookPaths(ViewportScene shown, Renderer renderer)
 
     private static string NameOf(Vertex v) => v.IsHit ? NameOf(v.Hit.Thing!) : "background";
 
-    private static string NameOf(Thing thing) => thing.Source is not ShapeDescription shape ? "" : shape.Name.Length > 0 ? shape.Name : RecordType.Of(shape.GetType()).Name;
-
-    private string NameOf(MaterialDescription material) =>
-        shown.Description.Materials.FirstOrDefault(m => ReferenceEquals(m.Value, material)).Key ?? RecordType.Of(material.GetType()).Name;
+    private static string NameOf(Thing thing) => PathInspector.NameOf(thing.Source as ShapeDescription);
 
     private static Vector3 Point(Textbook.Vector v) => new((float)v.X, (float)v.Y, (float)v.Z);
 

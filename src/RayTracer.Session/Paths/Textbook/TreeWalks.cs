@@ -6,20 +6,22 @@ namespace RayTracer.Session;
 
 /// <summary>Shows how a ray of the picture finds its way through a tree of the textbook edition, node by node.</summary>
 /// <param name="view">The picture.</param>
-public sealed class TreeWalks(PictureView view) : ISessionPart<TreeWalks>
+/// <param name="reading">Its scene in the textbook edition.</param>
+public sealed class TreeWalks(PictureView view, TextbookReading reading) : ISessionPart<TreeWalks>
 {
     // More would take long to build, and could not be told from each other.
     private const int MostShapes = 20_000;
 
     // Nobody steps further; a loop has as many steps as there are shapes.
     private const int MostSteps = 2000;
+    private readonly Lock _lock = new();
     private (long Picture, string Tree, IShape[] Shapes, IAccelerator Built)? _built;
 
     /// <summary>The names of the trees.</summary>
     public static IReadOnlyList<string> Names { get; } = [.. Trees.All.Keys];
 
     /// <inheritdoc/>
-    public static TreeWalks Of(StudioSession session) => new(session.View);
+    public static TreeWalks Of(StudioSession session) => new(session.View, session.Part<TextbookReading>());
 
     /// <summary>Follows a ray of a sample through a tree of all shapes that have an end; meshes are taken apart into triangles.</summary>
     /// <param name="x">The pixel's column.</param>
@@ -38,7 +40,7 @@ public sealed class TreeWalks(PictureView view) : ISessionPart<TreeWalks>
 
         PathInspector.Check(shown, x, y, sample, 1);
         ViewportScene textbook = shown.Settings.Edition is null ? shown with { Settings = shown.Settings with { Edition = ViewSettings.Editions[1] } } : shown;
-        Renderer renderer = textbook.ReadTextbook() ?? throw new SessionException("The scene has not been read yet.", SessionFault.Missing);
+        Renderer renderer = reading.Read(textbook) ?? throw new SessionException("The scene has not been read yet.", SessionFault.Missing);
         List<RayNotes.Vertex> vertices = new TextbookPaths(textbook, renderer).Follow(x, y, sample, out _).Vertices;
         Textbook.Ray along = vertices[Math.Clamp(ray, 1, vertices.Count) - 1].Ray;
         return Walk(along, shown, tree, BuiltFor(shown, renderer, tree, build));
@@ -62,20 +64,23 @@ public sealed class TreeWalks(PictureView view) : ISessionPart<TreeWalks>
 
     private (IShape[] Shapes, IAccelerator Tree) BuiltFor(ViewportScene shown, Renderer renderer, string name, Func<IReadOnlyList<IShape>, IAccelerator> build)
     {
-        if (_built is { } built && built.Picture == shown.Picture && built.Tree == name)
+        lock (_lock)
         {
-            return (built.Shapes, built.Built);
-        }
+            if (_built is { } built && built.Picture == shown.Picture && built.Tree == name)
+            {
+                return (built.Shapes, built.Built);
+            }
 
-        IShape[] shapes = [.. renderer.Scene.Things.SelectMany(t => t.Shape.Parts).Where(s => s.Bounds.IsFinite).Take(MostShapes + 1)];
-        if (shapes.Length > MostShapes)
-        {
-            throw new SessionException($"The scene has more than {MostShapes:N0} shapes and triangles, too many to be looked at one by one.");
-        }
+            IShape[] shapes = [.. renderer.Scene.Things.SelectMany(t => t.Shape.Parts).Where(s => s.Bounds.IsFinite).Take(MostShapes + 1)];
+            if (shapes.Length > MostShapes)
+            {
+                throw new SessionException($"The scene has more than {MostShapes:N0} shapes and triangles, too many to be looked at one by one.");
+            }
 
-        IAccelerator tree = build(shapes);
-        _built = (shown.Picture, name, shapes, tree);
-        return (shapes, tree);
+            IAccelerator tree = build(shapes);
+            _built = (shown.Picture, name, shapes, tree);
+            return (shapes, tree);
+        }
     }
 
     // The edges of a box, by its eight corners; else a polygon.
