@@ -70,7 +70,7 @@ internal static class SelfTestVerb
 
     private static IEnumerable<string> WriteReport(string folder, string file, IReadOnlyList<TestedClass> tested)
     {
-        Study.HtmlPage page = new($"Self-test of {file}");
+        HtmlPage page = new($"Self-test of {file}");
         foreach ((TestedClass one, int number) in tested.Select((t, i) => (t, i)))
         {
             page.Heading(one.Name);

@@ -41,7 +41,7 @@ internal static class Report
             commands.Add(own);
         }
 
-        return (folder.Write("report.html", HtmlPage.Of(title, body.ToString())), commands);
+        return (folder.Write("report.html", StandalonePage.Of(title, body.ToString())), commands);
     }
 
     private static string Paragraph(string? text) => text is null ? "" : $"<p>{Html(text)}</p>\n";

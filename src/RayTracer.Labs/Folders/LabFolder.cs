@@ -62,7 +62,7 @@ public sealed record LabFolder(string Path, LabCard Card)
             AtomicFile.Write(target, content.CopyTo);
         }
 
-        folder.Write("handout.html", HtmlPage.Of(lab.Title, Markdown.ToHtml(lab.Text("handout.md"), s_markdown)));
+        folder.Write("handout.html", StandalonePage.Of(lab.Title, Markdown.ToHtml(lab.Text("handout.md"), s_markdown)));
         folder.Write(CardName, JsonSerializer.Serialize(folder.Card, LabCard.Json));
         folder.Write($"Lab{lab.Number}.csproj", Project);
         folder.Write("nuget.config", Feed);

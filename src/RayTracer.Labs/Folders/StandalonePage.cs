@@ -3,7 +3,7 @@ using System.Net;
 namespace RayTracer.Labs;
 
 /// <summary>Pages that need nothing but themselves.</summary>
-internal static class HtmlPage
+internal static class StandalonePage
 {
     /// <summary>A page.</summary>
     /// <param name="title">Its title.</param>
