@@ -43,11 +43,20 @@ internal sealed class TransparentRows : IImageRows
         for (int x = 0; x < Width; x++)
         {
             Rgb behind = _film.Backdrop(x, y);
+            if (_image != _film && _film.Planes.Contains(FilmPlane.Matte))
+            {
+                behind = Share(behind, _film.Mean(x, y), new(rgb[3 * x], rgb[(3 * x) + 1], rgb[(3 * x) + 2]));
+            }
+
             rgb[3 * x] -= behind.R;
             rgb[(3 * x) + 1] -= behind.G;
             rgb[(3 * x) + 2] -= behind.B;
         }
     }
+
+    // What stands for a thing of a photograph is as noisy as the film: of a picture without noise, its share is taken.
+    private static Rgb Share(Rgb behind, Rgb all, Rgb image) => new(
+        all.R > 0 ? behind.R / all.R * image.R : 0, all.G > 0 ? behind.G / all.G * image.G : 0, all.B > 0 ? behind.B / all.B * image.B : 0);
 
     private void ReadAlpha(int y, Span<float> alpha)
     {

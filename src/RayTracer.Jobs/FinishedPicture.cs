@@ -38,7 +38,7 @@ public static class FinishedPicture
     public static bool IsFilm(string file, RenderJob job, SceneDescription scene, SampleRange? wanted) => Holds(file, f =>
         OldFilms.Current(FilmFile.ReadHeader(f), scene, job.Scene, job.Crop) is { IsComplete: true } header
             && Guidance.Unguided(header.Content) == Edition.Content(ContentHash.Of(scene, job.Scene, job.Crop), Edition.For(job.Edition, scene.Render)) && Guidance.IsGuided(header.Content) == job.Guide
-        && header.Planes.SequenceEqual(job.Planes(scene.Render.Integrator)) && (wanted is null || header.Wanted == wanted) && FilmFile.Read(f).Film.Width > 0);
+        && header.Planes.SequenceEqual(job.Planes(scene.Render.Integrator, header.Planes.Contains(FilmPlane.Matte))) && (wanted is null || header.Wanted == wanted) && FilmFile.Read(f).Film.Width > 0);
 
     private static IEnumerable<string> Looks(RenderJob job, SceneDescription scene)
     {

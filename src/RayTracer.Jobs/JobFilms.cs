@@ -20,6 +20,14 @@ internal sealed class JobFilms
             throw LoadedJob.OtherScene(job.Scene);
         }
 
+        foreach (AuxiliaryImage image in job.Aovs)
+        {
+            if (image.Complaint(scene) is { } complaint)
+            {
+                throw new JobException(JobFault.Request, $"--aov {image.Name}: {complaint}");
+            }
+        }
+
         Strategies = job.Strategies ? StrategiesOf(scene, Film) : null;
         Light = job.Layers.Count > 0 ? LightOf(job, scene, Film) : null;
         Auxiliary = new(Film, job.Aovs);
@@ -40,7 +48,7 @@ internal sealed class JobFilms
 
     // Two halves of the samples, where they are compared or kept; the noise of light, where it is shown.
     private static IReadOnlyList<FilmPlane> PlanesOf(RenderJob job, Scene scene) =>
-        FilmPlane.Needed(scene.Render.Integrator, job.Denoise || job.Halves, ShowsNoise(job), job.KeepsAlpha);
+        FilmPlane.Needed(scene.Render.Integrator, job.Denoise || job.Halves, ShowsNoise(job), job.KeepsAlpha, job.KeepsAlpha && scene.HasMattes);
 
     private static bool ShowsNoise(RenderJob job) => job.Aovs.OfType<ErrorImage>().Any();
 
@@ -72,8 +80,7 @@ internal sealed class JobFilms
     {
         (int width, int height) = (scene.Render.Width, scene.Render.Height);
         IReadOnlyList<FilmPlane> planes = PlanesOf(job, scene);
-        int atWork = PassCell.BytesPerPixel + (planes.Contains(FilmPlane.Light) ? SplatSums.BytesPerPixel : 0)
-            + (planes.Contains(FilmPlane.Alpha) ? PassCell.BackdropBytesPerPixel : 0);
+        int atWork = PassCell.BytesPerPixel(planes) + (planes.Contains(FilmPlane.Light) ? SplatSums.BytesPerPixel : 0);
         long bytes = FilmMemory.Bytes(width, height, planes) + ((long)atWork * width * height)
             + AovFilm.Bytes(job.Aovs, width, height) + LightPathAovFilm.Bytes(job.Layers, scene)
             + (job.Strategies && scene.Render.Integrator.Has(IntegratorTraits.TracesLight) ? StrategyFilm.Bytes(scene) : 0)

@@ -21,7 +21,7 @@ public sealed record JobResult(Scene Scene, Film Film, RenderStatistics Statisti
     public bool IsWritten { get; init; }
 
     /// <summary>The hash of the film as files keep it: of halves of the samples, only where they do.</summary>
-    public string Hash => _hash ??= Film.ComputeHash(Header?.Planes ?? [.. Film.Planes.Where(p => p == FilmPlane.Light || p == FilmPlane.Alpha)]);
+    public string Hash => _hash ??= Film.ComputeHash(Header?.Planes ?? [.. Film.Planes.Where(p => p == FilmPlane.Light || FilmPlane.OfSamples.Contains(p))]);
 
     /// <summary>The decision on the numbers of samples; null where they were given.</summary>
     public SamplePlan? Plan { get; init; }

@@ -40,7 +40,7 @@ internal sealed record LoadedJob(
         Settings = Job.FilmSettings,
         Tone = PictureTone.Text(Job.Writing.For(Scene.Render)),
         Software = ProgramName.Text + Edition.Software(Job.Edition, Description),
-        Planes = Job.Planes(Scene.Render.Integrator),
+        Planes = Job.Planes(Scene.Render.Integrator, Scene.HasMattes),
     };
 
     /// <summary>Returns the header of the film that is resumed, or of a new one.</summary>

@@ -149,8 +149,9 @@ public sealed record RenderJob
 
     /// <summary>The planes of films in files beside the picture.</summary>
     /// <param name="integrator">The integrator that computes it.</param>
-    public IReadOnlyList<FilmPlane> Planes(Integrator integrator) =>
-        Resumed?.Film.KeptPlanes ?? FilmPlane.Needed(integrator, KeepsHalves, alpha: KeepsAlpha);
+    /// <param name="hasMattes">True where things of the scene stand for those of a photograph.</param>
+    public IReadOnlyList<FilmPlane> Planes(Integrator integrator, bool hasMattes) =>
+        Resumed?.Film.KeptPlanes ?? FilmPlane.Needed(integrator, KeepsHalves, alpha: KeepsAlpha, matte: KeepsAlpha && hasMattes);
 
     /// <summary>The settings that a film names: the scene's, the frame, and the noise that decided on the number of its samples.</summary>
     public IReadOnlyList<string> FilmSettings => [.. Settings.Select(s => s.Text), .. JobOptions.Kept(this, JobOptionUse.Films)];

@@ -54,9 +54,12 @@ public sealed class TransparentTests : IDisposable
         Assert.Equal((0f, 1f), (film.Alpha(0, 0), film.Alpha(12, 15)));
     }
 
-    [Fact]
-    public void Parts_and_resumed_films_keep_it()
+    [Theory]
+    [InlineData(false)]
+    [InlineData(true)]
+    public void Parts_and_resumed_films_keep_it(bool catchesShadows)
     {
+        CatchShadows(catchesShadows);
         string whole = CliRun.FilmHash("render", _scene, "--spp", "8", "--transparent", "-o", _folder["whole.png"], "--json", "--quiet");
         Assert.NotEqual(whole, CliRun.FilmHash("render", _scene, "--spp", "8", "--json", "--quiet"));
         CliRun.Fine("verify", _folder["whole.png"]);
@@ -75,15 +78,30 @@ public sealed class TransparentTests : IDisposable
         Assert.Null(ImageFile.DecodeAlpha(File.ReadAllBytes(_folder["opaque.png"])));
     }
 
-    [Fact]
-    public void A_denoised_picture_has_the_alpha_of_its_film()
+    [Theory]
+    [InlineData(false)]
+    [InlineData(true)]
+    public void A_denoised_picture_has_the_alpha_of_its_film(bool catchesShadows)
     {
+        CatchShadows(catchesShadows);
         CliRun.Fine("render", _scene, "--transparent", "--denoise", "-o", _folder["a.png"], "-o", _folder["a.rtfilm"], "--quiet");
         CliRun.Fine("denoise", _folder["a.rtfilm"], "--transparent", "-o", _folder["b.png"]);
         Picture expected = Alpha("a.png");
         Assert.Equal(expected.Pixels, Alpha("a.denoised.png").Pixels);
         Assert.Equal(expected.Pixels, Alpha("b.png").Pixels);
         TestPictures.AssertSameBits(ImageFile.Read(_folder["a.denoised.png"]), ImageFile.Read(_folder["b.png"]));
+    }
+
+    // The film's own noise of the catcher is not left behind where the denoised picture has none.
+    [Fact]
+    public void A_denoised_picture_shows_nothing_of_a_shadow_catcher_but_its_shadow()
+    {
+        CatchShadows(true);
+        CliRun.Fine("render", _scene, "--transparent", "--halves", "-o", _folder["a.rtfilm"], "--quiet");
+        CliRun.Fine("denoise", _folder["a.rtfilm"], "--transparent", "-o", _folder["a.exr"]);
+        Picture denoised = ImageFile.Read(_folder["a.exr"]);
+        Assert.All(Enumerable.Range(0, denoised.Width), x => Assert.InRange(At(denoised, x, denoised.Height - 1).G, -0.001f, 0.02f));
+        Assert.InRange(At(denoised, denoised.Width / 2, denoised.Height / 2).G, 0.05f, 10);
     }
 
     [Fact]
@@ -98,6 +116,14 @@ public sealed class TransparentTests : IDisposable
         CliRun.Refused(4, reason, "merge", _folder["plain.rtfilm"], "--transparent", "-o", _folder["b.png"]);
         CliRun.Refused(4, reason, "denoise", _folder["plain.rtfilm"], "--transparent", "-o", _folder["b.png"]);
         CliRun.Refused(2, "--transparent is for films", "denoise", _folder["plain.png"], "--transparent", "-o", _folder["b.png"]);
+    }
+
+    private void CatchShadows(bool whether)
+    {
+        const string floor = """{ "type": "diffuse", "color": { "type": "checker" } }""";
+        string scene = File.ReadAllText(_scene);
+        Assert.Contains(floor, scene, StringComparison.Ordinal);
+        File.WriteAllText(_scene, whether ? scene.Replace(floor, $$"""{ "type": "shadowCatcher", "material": {{floor}} }""", StringComparison.Ordinal) : scene);
     }
 
     private static Rgb At(Picture picture, int x, int y)

@@ -8,7 +8,7 @@ internal sealed class Workshop : IDisposable
     private static readonly string[] s_testProjects =
     [
         "RayTracer.Tests", "RayTracer.RenderTests", "RayTracer.Scenes.Tests", "RayTracer.Import.Tests", "RayTracer.Textbook.Tests", "RayTracer.Imaging.Tests", "RayTracer.Cli.Tests",
-        "RayTracer.Repository.Tests",
+        "RayTracer.Adapters.Tests", "RayTracer.Labs.Tests", "RayTracer.Repository.Tests",
     ];
 
     private readonly string _root;

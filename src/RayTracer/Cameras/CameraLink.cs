@@ -2,7 +2,7 @@ using RayTracer.Numerics;
 
 namespace RayTracer.Cameras;
 
-/// <summary>The camera's end of connections with points of the scene. Only <see cref="Sees"/> has a meaning where it is false.</summary>
+/// <summary>The camera's end of connections with points of the scene. Only <see cref="Sees"/> has a meaning where it is false, and X and Y where the points lie in front.</summary>
 internal struct CameraLinkW
 {
     /// <summary>Unit directions from the points towards the camera: towards a point of its lens.</summary>

@@ -26,6 +26,28 @@ internal sealed class SpaceContents
     /// <summary>How many things of each kind there are.</summary>
     public (int Shapes, int Meshes, int Instances, int Lights) Counts => (Shapes.Count, Meshes.Count, Instances.Count, Lights.Count);
 
+    /// <summary>Returns whether anything is made of such a material.</summary>
+    public bool Has(Func<Material, bool> isWanted) =>
+        Shapes.Any(s => isWanted(s.Material)) || Meshes.Any(m => m.Materials.Any(isWanted)) || Instances.Any(i => i.Contents.Has(isWanted));
+
+    /// <summary>The things made of such a material (meshes, of one such at least), and the lights without extent.</summary>
+    public SpaceContents Only(Func<Material, bool> isWanted) => Only(isWanted, new(ReferenceEqualityComparer.Instance));
+
+    // What several instances show stays one.
+    private SpaceContents Only(Func<Material, bool> isWanted, Dictionary<SpaceContents, SpaceContents> known)
+    {
+        if (!known.TryGetValue(this, out SpaceContents? only))
+        {
+            known.Add(this, only = new());
+            only.Shapes.AddRange(Shapes.Where(s => isWanted(s.Material)));
+            only.Meshes.AddRange(Meshes.Where(m => m.Materials.Any(isWanted)));
+            only.Instances.AddRange(Instances.Select(i => i with { Contents = i.Contents.Only(isWanted, known) }).Where(i => i.Contents.HasSurfaces));
+            only.Lights.AddRange(Lights);
+        }
+
+        return only;
+    }
+
     /// <summary>Returns whether something shines that was added when there was this much already.</summary>
     public bool ShinesBeyond((int Shapes, int Meshes, int Instances, int Lights) before) => Lights.Count > before.Lights
         || Shapes.Skip(before.Shapes).Any(s => s.Material.Traits.Emits)

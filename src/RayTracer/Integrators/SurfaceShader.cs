@@ -128,7 +128,9 @@ public abstract unsafe class SurfaceShader(ShaderContext context)
     {
         for (int i = 0; i < count; i += FloatW.Count)
         {
-            ShadePacket(group, stream, next, members + i, MaskW.First(count - i));
+            MaskW active = MaskW.First(count - i);
+            Observer?.Met(group, stream, members + i, active);
+            ShadePacket(group, stream, next, members + i, active);
         }
     }
 

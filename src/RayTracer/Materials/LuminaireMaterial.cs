@@ -42,7 +42,7 @@ public sealed record LuminaireMaterialDescription : MaterialDescription
         }
 
         bool isBlack = Material is DiffuseMaterialDescription { Color: SolidTextureDescription { Color.IsBlack: true } };
-        return new LuminaireMaterial(builder.EmittedTexture(this, nameof(Color), Color), Multiplier, Exponent, isBlack ? null : builder.Material(Material));
+        return new LuminaireMaterial(builder.EmittedTexture(this, nameof(Color), Color), Multiplier, Exponent, isBlack ? null : WrapperMaterial.Part(builder, this, nameof(Material), Material));
     }
 }
 

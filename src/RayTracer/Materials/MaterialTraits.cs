@@ -79,6 +79,9 @@ public readonly record struct MaterialTraits()
     /// </summary>
     public Nesting? Nesting { get; init; }
 
+    /// <summary>What the surface is to the camera, in pictures with alpha: a part of another material is none.</summary>
+    public MatteRole Matte { get; init; }
+
     /// <summary>
     /// <see cref="Material.Bsdf"/> and <see cref="Material.Pdf"/> may be other than zero, so that light can come from a direction that is
     /// chosen elsewhere.

@@ -25,19 +25,20 @@ public abstract class WrapperMaterial(Material inner) : Material
     /// <inheritdoc/>
     internal override bool PreparesByRay => base.PreparesByRay || inner.PreparesByRay;
 
-    /// <summary>The material that a part of a record describes: of any type but a luminaire, which is an error.</summary>
+    /// <summary>The material that a part of a record describes: of any type but those that stand around all others, which are errors.</summary>
     /// <param name="builder">Builds it.</param>
     /// <param name="whole">The record.</param>
     /// <param name="property">The part's C# property.</param>
     /// <param name="part">The part.</param>
     public static Material Part(SceneBuilder builder, MaterialDescription whole, string property, MaterialDescription part)
     {
-        if (part is not LuminaireMaterialDescription)
+        string? outermost = part is LuminaireMaterialDescription ? "luminaire" : part is MatteMaterialDescription ? RecordType.Of(part.GetType()).Name : null;
+        if (outermost is null)
         {
             return builder.Material(part);
         }
 
-        builder.Error(whole, property, "a luminaire must not be inside another material: put that material inside the luminaire");
+        builder.Error(whole, property, $"a {outermost} must not be inside another material: put that material inside the {outermost}");
         return new DiffuseMaterial(new SolidTexture(Rgb.Black));
     }
 

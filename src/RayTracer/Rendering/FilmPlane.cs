@@ -46,20 +46,33 @@ public sealed class FilmPlane
     /// </summary>
     internal static FilmPlane Alpha { get; } = new("alpha", ["through", "red", "green", "blue"]);
 
+    /// <summary>
+    /// What <see cref="Alpha"/> leaves out because it stands for things of a photograph (<see cref="Materials.MatteRole"/>): the share of the samples that see a
+    /// shadow catcher, its light, and its light in the scene without the things that throw shadows, both of the same samples.
+    /// </summary>
+    internal static FilmPlane Matte { get; } = new("matte", ["caught", "red", "green", "blue", "redAlone", "greenAlone", "blueAlone"]);
+
     /// <summary>All that this version of the program knows.</summary>
-    public static IReadOnlyList<FilmPlane> Known { get; } = [Half, Light, LightSquare, LightHalf, Alpha];
+    public static IReadOnlyList<FilmPlane> Known { get; } = [Half, Light, LightSquare, LightHalf, Alpha, Matte];
+
+    /// <summary>Those that camera samples add to, beside their light.</summary>
+    internal static IReadOnlyList<FilmPlane> OfSamples { get; } = [Alpha, Matte];
+
+    /// <summary>Its index in <see cref="OfSamples"/>.</summary>
+    internal int IndexOfSamples => this == Alpha ? 0 : 1;
 
     /// <summary>Returns the planes that a film needs.</summary>
     /// <param name="integrator">The integrator of its light.</param>
     /// <param name="halves">True if it keeps two halves of its samples.</param>
     /// <param name="noise">True if the noise of its pixels is wanted (<see cref="Film.MeanVariance"/>).</param>
     /// <param name="alpha">True if it shall know what is behind everything.</param>
-    internal static IReadOnlyList<FilmPlane> Needed(Integrator integrator, bool halves = false, bool noise = false, bool alpha = false)
+    /// <param name="matte">True if it shall know what stands for things of a photograph.</param>
+    internal static IReadOnlyList<FilmPlane> Needed(Integrator integrator, bool halves = false, bool noise = false, bool alpha = false, bool matte = false)
     {
         bool hasLight = integrator.Has(IntegratorTraits.TracesLight);
         (FilmPlane Plane, bool IsNeeded)[] all =
         [
-            (Half, halves), (Light, hasLight), (LightSquare, hasLight && (noise || halves)), (LightHalf, hasLight && halves), (Alpha, alpha),
+            (Half, halves), (Light, hasLight), (LightSquare, hasLight && (noise || halves)), (LightHalf, hasLight && halves), (Alpha, alpha), (Matte, matte),
         ];
         return [.. all.Where(p => p.IsNeeded).Select(p => p.Plane)];
     }

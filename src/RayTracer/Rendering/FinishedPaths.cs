@@ -14,13 +14,28 @@ public sealed unsafe class FinishedPaths
     private readonly RayGenerator _generator;
     private readonly PathObserver? _observer;
     private readonly Backdrop? _backdrop;
+    private readonly Backdrop? _withAll;
+    private readonly bool _hasMatte;
     private readonly bool _hasWeights;
     private readonly int _stride;
     private SampleRange _samples;
     private int _count;
 
-    internal FinishedPaths(Scene scene, int capacity, RayGenerator generator, SampleAccumulator accumulator, PathObserver? observer, Backdrop? backdrop)
+    /// <summary>Makes it.</summary>
+    /// <param name="scene">The scene.</param>
+    /// <param name="capacity">The most paths of a stream.</param>
+    /// <param name="generator">Knows the samples' random numbers.</param>
+    /// <param name="accumulator">Takes the samples.</param>
+    /// <param name="observer">Sees them; null where nobody asks.</param>
+    /// <param name="backdrop">What they see of what is behind everything; null where the film does not know it.</param>
+    /// <param name="withAll">
+    /// What the same samples see of the scene with all things, where these are those of <see cref="Scene.MattesAlone"/>: only what shadow catchers have of them is added up.
+    /// </param>
+    internal FinishedPaths(
+        Scene scene, int capacity, RayGenerator generator, SampleAccumulator accumulator, PathObserver? observer, Backdrop? backdrop, Backdrop? withAll = null)
     {
+        _withAll = withAll;
+        _hasMatte = scene.MattesAlone is not null;
         _observer = observer;
         _backdrop = backdrop;
         _scene = scene;
@@ -91,15 +106,36 @@ public sealed unsafe class FinishedPaths
                 _observer.Finish(_path.Pointer[i + lane], (int)pixel[lane], Lane(gathered, lane), Lane(radiance, lane));
             }
 
-            _accumulator.Add(Math.Min(FloatW.Count, _count - i), pixel, sample, radiance);
+            if (_withAll is null)
+            {
+                _accumulator.Add(Math.Min(FloatW.Count, _count - i), pixel, sample, radiance);
+            }
+
             if (_backdrop is not null)
             {
-                _backdrop.Pick(MaskW.First(_count - i).Select(UIntW.Load(_path.Pointer + i), 0u), out FloatW through, out RgbW light);
-                _accumulator.AddBackdrop(Math.Min(FloatW.Count, _count - i), pixel, radiance, through * weight, light * weight);
+                AddBackdrop(_backdrop, MaskW.First(_count - i), MaskW.First(_count - i).Select(UIntW.Load(_path.Pointer + i), 0u), pixel, gathered, weight);
             }
         }
 
         _count = 0;
+    }
+
+    private void AddBackdrop(Backdrop backdrop, MaskW inUse, in UIntW path, in UIntW pixel, in RgbW gathered, in FloatW weight)
+    {
+        MaskW caught = backdrop.Pick(path, gathered, out FloatW through, out RgbW light) & inUse;
+        if (_withAll is not null)
+        {
+            // What the things that throw shadows let through, they let through of both.
+            caught &= _withAll.Pick(path, gathered, out FloatW throughAll, out _) & (through > 0f);
+            _accumulator.AddAlone(caught, pixel, light * (throughAll / through * weight));
+            return;
+        }
+
+        _accumulator.AddBackdrop(inUse, pixel, gathered, through * weight, light * weight);
+        if (caught.Bits != 0 && _hasMatte)
+        {
+            _accumulator.AddCaught(caught, pixel, through * weight, light * weight);
+        }
     }
 
     private static Rgb Lane(in RgbW color, int lane) => new(color.R[lane], color.G[lane], color.B[lane]);

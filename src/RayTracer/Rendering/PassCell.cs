@@ -4,22 +4,21 @@ namespace RayTracer.Rendering;
 
 /// <summary>
 /// Some pixels of a film that is rendered in passes, and what the latest pass gave them: so that it can be taken back where the pass is not
-/// completed. That is 32 bytes a pixel, 8 more where samples are so bright that 64 bits do not hold their squares, and 32 more for
-/// <see cref="FilmPlane.Alpha"/>.
+/// completed. That is 32 bytes a pixel, 8 more where samples are so bright that 64 bits do not hold their squares, and 8 for each sum
+/// of <see cref="FilmPlane.OfSamples"/>.
 /// </summary>
 /// <param name="area">The pixels.</param>
 internal sealed class PassCell(Tile area)
 {
     /// <summary>Memory of a pixel in bytes, where samples are not that bright.</summary>
-    public const int BytesPerPixel = Film.SumsPerPixel * sizeof(long);
-
-    /// <summary>Memory of a pixel in bytes for <see cref="FilmPlane.Alpha"/>.</summary>
-    public const int BackdropBytesPerPixel = 4 * sizeof(long);
+    /// <param name="planes">The film's planes.</param>
+    public static int BytesPerPixel(IReadOnlyList<FilmPlane> planes) =>
+        (Film.SumsPerPixel + FilmPlane.OfSamples.Where(planes.Contains).Sum(p => p.Sums.Count)) * sizeof(long);
 
     private const int MostPooled = RTracer.LargestTile * RTracer.LargestTile * Film.SumsPerPixel;
     private readonly long[] _sums = Rent(area.Pixels * Film.SumsPerPixel);
     private long[]? _rest;
-    private long[]? _backdrop;
+    private readonly long[]?[] _beside = new long[]?[FilmPlane.OfSamples.Count];
     private long _handed;
 
     /// <summary>The pixels.</summary>
@@ -49,8 +48,9 @@ internal sealed class PassCell(Tile area)
         }
     }
 
-    /// <summary>Keeps what a pass gives to <see cref="FilmPlane.Alpha"/> of pixels in a row.</summary>
-    public void KeepBackdrop(int x, int y, ReadOnlySpan<long> sums) => sums.CopyTo(Own(ref _backdrop, FilmPlane.Alpha.Sums.Count).AsSpan(First(x, y) * FilmPlane.Alpha.Sums.Count));
+    /// <summary>Keeps what a pass gives to a plane of <see cref="FilmPlane.OfSamples"/> of pixels in a row.</summary>
+    public void Keep(FilmPlane plane, int x, int y, ReadOnlySpan<long> sums) =>
+        sums.CopyTo(Own(ref _beside[plane.IndexOfSamples], plane.Sums.Count).AsSpan(First(x, y) * plane.Sums.Count));
 
     /// <summary>Takes from a film what the latest pass gave to pixels in a row.</summary>
     /// <param name="film">The film.</param>
@@ -63,10 +63,12 @@ internal sealed class PassCell(Tile area)
         ReadOnlySpan<long> rest = _rest is { } kept ? kept.AsSpan(first, run.Length) : default;
         ReadOnlySpan<long> sums = _sums.AsSpan(first * Film.SumsPerPixel, run.Length * Film.SumsPerPixel);
         film.AddRow(run.X, run.Y, sums, rest, samples, isOfHalf, sign: -1);
-        if (_backdrop is { } backdrop)
+        foreach (FilmPlane plane in FilmPlane.OfSamples)
         {
-            int perPixel = FilmPlane.Alpha.Sums.Count;
-            film.AddBackdrop(run.X, run.Y, backdrop.AsSpan(first * perPixel, run.Length * perPixel), sign: -1);
+            if (_beside[plane.IndexOfSamples] is { } beside)
+            {
+                film.AddToPlane(plane, run.X, run.Y, beside.AsSpan(first * plane.Sums.Count, run.Length * plane.Sums.Count), sign: -1);
+            }
         }
     }
 
@@ -79,9 +81,9 @@ internal sealed class PassCell(Tile area)
             Return(rest);
         }
 
-        if (_backdrop is { } backdrop)
+        foreach (long[] beside in _beside.OfType<long[]>())
         {
-            Return(backdrop);
+            Return(beside);
         }
     }
 

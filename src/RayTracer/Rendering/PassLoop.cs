@@ -141,7 +141,7 @@ internal sealed class PassLoop(Scene scene, RenderOptions options, Film film, Pa
             try
             {
                 LightContributions? Observer() => options.Layers is { } layers ? new(scene, layers) : null;
-                Render(workers[i] ??= new(scene, options.StreamSize, LargestItem, Observer(), _light, film.Planes.Contains(FilmPlane.Alpha), options.Clock));
+                Render(workers[i] ??= new(scene, options.StreamSize, LargestItem, Observer(), _light, film.Planes, options.Clock));
             }
             catch (Exception e)
             {

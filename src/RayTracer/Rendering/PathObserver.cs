@@ -14,6 +14,15 @@ internal abstract unsafe class PathObserver
     {
     }
 
+    /// <summary>Paths meet surfaces, before anything else happens to them there.</summary>
+    /// <param name="group">The surfaces.</param>
+    /// <param name="stream">The paths.</param>
+    /// <param name="index">Indices of a packet of them.</param>
+    /// <param name="lanes">The lanes in use.</param>
+    public virtual void Met(ShadingGroup group, PathStream stream, uint* index, in MaskW lanes)
+    {
+    }
+
     /// <summary>Paths meet surfaces, or are scattered by a medium.</summary>
     public virtual void BeginPacket(PathStream stream, uint* index, in MaskW lanes)
     {

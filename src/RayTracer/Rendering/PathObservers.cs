@@ -20,6 +20,13 @@ internal sealed unsafe class PathObservers(PathObserver first, PathObserver seco
     }
 
     /// <inheritdoc/>
+    public override void Met(ShadingGroup group, PathStream stream, uint* index, in MaskW lanes)
+    {
+        first.Met(group, stream, index, lanes);
+        second.Met(group, stream, index, lanes);
+    }
+
+    /// <inheritdoc/>
     public override void BeginPacket(PathStream stream, uint* index, in MaskW lanes)
     {
         first.BeginPacket(stream, index, lanes);

@@ -18,7 +18,7 @@ internal sealed unsafe class SampleAccumulator(int maxPixels)
     private const float OrdinaryLimit = 16;
     private readonly PinnedBuffer<long> _sums = new((long)maxPixels * Film.SumsPerPixel);
     private readonly PinnedBuffer<long> _rest = new(maxPixels);
-    private PinnedBuffer<long>? _backdrop;
+    private readonly PinnedBuffer<long>?[] _beside = new PinnedBuffer<long>?[FilmPlane.OfSamples.Count];
     private readonly PinnedBuffer<long> _units = new((long)Film.SumsPerPixel * FloatW.Count);
     private readonly PinnedBuffer<uint> _pixels = new(FloatW.Count);
     private readonly List<BadSample> _bad = [];
@@ -27,7 +27,6 @@ internal sealed unsafe class SampleAccumulator(int maxPixels)
     private ReadOnlyMemory<int> _targets;
     private int _samples;
     private bool _hasRest;
-    private bool _hasBackdrop;
 
     /// <summary>Samples that were not finite, and so were left out.</summary>
     public long NonFinite { get; private set; }
@@ -105,25 +104,42 @@ internal sealed unsafe class SampleAccumulator(int maxPixels)
     }
 
     /// <summary>Adds what a packet of samples saw of what is behind everything, for films with <see cref="FilmPlane.Alpha"/>.</summary>
-    /// <param name="count">Number of lanes in use.</param>
+    /// <param name="lanes">The lanes in use.</param>
     /// <param name="pixels">The pixels' numbers in the tile.</param>
     /// <param name="radiance">The samples: those that are not finite are left out.</param>
     /// <param name="through">The share that they saw of it.</param>
     /// <param name="light">Its light.</param>
-    public void AddBackdrop(int count, in UIntW pixels, in RgbW radiance, in FloatW through, in RgbW light)
+    public void AddBackdrop(MaskW lanes, in UIntW pixels, in RgbW radiance, in FloatW through, in RgbW light) =>
+        AddBeside(FilmPlane.Alpha, 0, lanes & IsFinite(radiance), pixels, [through, light.R, light.G, light.B]);
+
+    /// <summary>Adds the light of shadow catchers to <see cref="FilmPlane.Matte"/>.</summary>
+    /// <param name="lanes">The samples that see one.</param>
+    /// <param name="pixels">The pixels' numbers in the tile.</param>
+    /// <param name="caught">The share that they see of it.</param>
+    /// <param name="light">Its light.</param>
+    public void AddCaught(MaskW lanes, in UIntW pixels, in FloatW caught, in RgbW light) =>
+        AddBeside(FilmPlane.Matte, 0, lanes & IsFinite(light), pixels, [caught, light.R, light.G, light.B]);
+
+    /// <summary>Adds the light that shadow catchers have without the things that throw shadows to <see cref="FilmPlane.Matte"/>.</summary>
+    /// <inheritdoc cref="AddCaught"/>
+    public void AddAlone(MaskW lanes, in UIntW pixels, in RgbW light) =>
+        AddBeside(FilmPlane.Matte, FilmPlane.Matte.Sums.Count - 3, lanes & IsFinite(light), pixels, [light.R, light.G, light.B]);
+
+    private void AddBeside(FilmPlane plane, int first, MaskW lanes, in UIntW pixels, ReadOnlySpan<FloatW> values)
     {
-        ReadOnlySpan<FloatW> values = [through, light.R, light.G, light.B];
-        MaskW finite = (FloatW.Abs(radiance.R) < float.PositiveInfinity) & (FloatW.Abs(radiance.G) < float.PositiveInfinity) & (FloatW.Abs(radiance.B) < float.PositiveInfinity);
-        for (uint rest = finite.Bits & MaskW.First(count).Bits; rest != 0; rest &= rest - 1)
+        for (uint rest = lanes.Bits; rest != 0; rest &= rest - 1)
         {
             int lane = BitOperations.TrailingZeroCount(rest);
-            long* sums = _backdrop!.Pointer + ((nint)pixels[lane] * values.Length);
+            long* sums = _beside[plane.IndexOfSamples]!.Pointer + ((nint)pixels[lane] * plane.Sums.Count) + first;
             for (int i = 0; i < values.Length; i++)
             {
                 sums[i] += (long)double.Round(Clamp(values[i][lane]) * Film.ChannelUnits);
             }
         }
     }
+
+    private static MaskW IsFinite(in RgbW light) =>
+        (FloatW.Abs(light.R) < float.PositiveInfinity) & (FloatW.Abs(light.G) < float.PositiveInfinity) & (FloatW.Abs(light.B) < float.PositiveInfinity);
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     private static void ToSquareUnits(FloatW value, long* units)
@@ -190,12 +206,11 @@ internal sealed unsafe class SampleAccumulator(int maxPixels)
             ReadOnlySpan<long> rest = _hasRest ? new(_rest.Pointer + pixel, length) : default;
             _film.AddRow(x, y, sums, rest, _samples, isOfHalf);
             cell?.Keep(x, y, sums, rest);
-            if (_hasBackdrop)
+            foreach (FilmPlane plane in FilmPlane.OfSamples.Where(_film.Planes.Contains))
             {
-                int perPixel = FilmPlane.Alpha.Sums.Count;
-                ReadOnlySpan<long> backdrop = new(_backdrop!.Pointer + ((nint)pixel * perPixel), length * perPixel);
-                _film.AddBackdrop(x, y, backdrop);
-                cell?.KeepBackdrop(x, y, backdrop);
+                ReadOnlySpan<long> beside = new(_beside[plane.IndexOfSamples]!.Pointer + ((nint)pixel * plane.Sums.Count), length * plane.Sums.Count);
+                _film.AddToPlane(plane, x, y, beside);
+                cell?.Keep(plane, x, y, beside);
             }
         }
     }
@@ -206,11 +221,10 @@ internal sealed unsafe class SampleAccumulator(int maxPixels)
     {
         NativeMemory.Clear(_sums.Pointer, (nuint)Pixels * Film.SumsPerPixel * sizeof(long));
         _hasRest = false;
-        _hasBackdrop = _film.Planes.Contains(FilmPlane.Alpha);
-        if (_hasBackdrop)
+        foreach (FilmPlane plane in FilmPlane.OfSamples.Where(_film.Planes.Contains))
         {
-            _backdrop ??= new((long)maxPixels * FilmPlane.Alpha.Sums.Count);
-            NativeMemory.Clear(_backdrop.Pointer, (nuint)(Pixels * FilmPlane.Alpha.Sums.Count) * sizeof(long));
+            PinnedBuffer<long> beside = _beside[plane.IndexOfSamples] ??= new((long)maxPixels * plane.Sums.Count);
+            NativeMemory.Clear(beside.Pointer, (nuint)(Pixels * plane.Sums.Count) * sizeof(long));
         }
     }
 

@@ -82,6 +82,7 @@ public sealed class Scene
         LightSelection = render.Integrator == other.Render.Integrator ? other.LightSelection : SelectLights();
         Splitting = CanSplit() ? Splitting.Of(render.Splitting, render.Sampler, Sampler) : null;
         PointsOfFirst = CountPoints();
+        MattesAlone = other.MattesAlone is { } alone ? new(render, camera, alone) : null;
     }
 
     private Scene(Scene other, RenderDescription render, PathGuide? guide)
@@ -140,6 +141,12 @@ public sealed class Scene
 
     /// <summary>Helps to choose the directions of paths; null for none.</summary>
     internal PathGuide? Guide { get; }
+
+    /// <summary>True where something stands for a thing of a photograph, which pictures with alpha leave out (<see cref="MatteRole"/>).</summary>
+    internal bool HasMattes => Array.Exists(Groups, static g => g.Traits.Matte != MatteRole.None);
+
+    /// <summary>The scene without the things that throw shadows on shadow catchers; null where there are no such catchers.</summary>
+    internal Scene? MattesAlone { get; private init; }
 
     /// <summary>True where anything moves while the shutter is open, so that paths have times.</summary>
     internal bool IsTimed { get; }
@@ -303,8 +310,13 @@ public sealed class Scene
             return null;
         }
 
-        World world = new(contents, (render.Shutter.X, render.Shutter.Y), builder.LargestLoop);
-        Scene scene = new(render, camera, description.Background, builder.Environment(description), description.Ambient, world);
+        Scene Of(SpaceContents things, Scene? alone) => new(
+            render, camera, description.Background, builder.Environment(description), description.Ambient, new(things, (render.Shutter.X, render.Shutter.Y), builder.LargestLoop))
+        {
+            MattesAlone = alone,
+        };
+        bool catches = contents.Has(m => m.Traits.Matte == MatteRole.ShadowCatcher);
+        Scene scene = Of(contents, catches ? Of(contents.Only(m => m.Traits.Emits || m.Traits.Matte != MatteRole.None), null) : null);
         if (scene._interiors.Length > MediumStack.MaxMedia)
         {
             builder.Error(description, nameof(SceneDescription.Materials), $"the materials have {scene._interiors.Length} different insides (media, and dielectrics with a priority), but at most {MediumStack.MaxMedia} are possible");

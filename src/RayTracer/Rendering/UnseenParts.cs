@@ -37,6 +37,11 @@ internal sealed class UnseenParts(Scene scene, SceneDescription description, Sce
 
         WarnOfInsides();
         RefuseVaryingMedia();
+        if (_refuses && scene.HasMattes)
+        {
+            AtIntegrator($"there are holdouts or shadow catchers, for which paths must come from the camera alone: write \"integrator\": {Quotation.Of(Integrator.Path.Name)} or {Quotation.Of(Integrator.VolPath.Name)}");
+        }
+
         if (_integrator is LightTracingIntegrator traced)
         {
             RefuseUntraceable(traced.Strategies);

@@ -6,7 +6,7 @@ namespace RayTracer.Repository.Tests.Mutations;
 [Trait("Category", "Pinned")]
 public class MutantListTests
 {
-    private static readonly string[] s_areas = ["sampling", "pdf", "material", "light", "geometry", "texture", "camera", "depth", "film", "threading", "bvh", "instance", "motion", "mesh", "import", "layers", "transport", "medium", "pairs", "light paths", "guiding"];
+    private static readonly string[] s_areas = ["sampling", "pdf", "material", "light", "geometry", "texture", "camera", "depth", "film", "threading", "bvh", "instance", "motion", "mesh", "import", "layers", "transport", "medium", "pairs", "light paths", "guiding", "matte", "course"];
     private static readonly IReadOnlyList<Mutant> s_mutants =
         Mutant.ReadAll(File.ReadLines(ProjectFolder.PathOf("tests", "RayTracer.Mutations", "mutants.txt")));
 

@@ -151,7 +151,7 @@ public class AlphaTests
         void Add(Rgb radiance, float through, Rgb light)
         {
             accumulator.Add(1, 1u, 0u, radiance);
-            accumulator.AddBackdrop(1, 1u, radiance, through, light);
+            accumulator.AddBackdrop(MaskW.First(1), 1u, radiance, through, light);
         }
     }
 

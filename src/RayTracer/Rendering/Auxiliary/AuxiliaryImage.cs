@@ -18,6 +18,7 @@ public abstract record AuxiliaryImage
         new NormalImage(),
         new AlbedoImage(),
         new UvImage(),
+        new MotionImage(),
         new PrimitiveImage(),
         new BvhCostImage(),
         new SamplesImage(),
@@ -48,6 +49,9 @@ public abstract record AuxiliaryImage
 
     /// <summary>The colours of a legend, display values from the left to the right.</summary>
     public virtual IReadOnlyList<Rgb> Scale => [Rgb.Black, Rgb.White];
+
+    /// <summary>Returns why a scene has no such image; null where it has.</summary>
+    public virtual string? Complaint(Scene scene) => null;
 
     /// <summary>Returns what the colours mean, for the reader of the picture.</summary>
     /// <param name="range">The range of all numbers.</param>

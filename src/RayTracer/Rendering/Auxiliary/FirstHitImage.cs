@@ -50,6 +50,9 @@ public readonly record struct FirstHit
 
     /// <summary>The surface coordinates (<see cref="FirstHitParts.Uv"/>).</summary>
     public Vector2 Uv { get; init; }
+
+    /// <summary>The way that it goes in the picture while the shutter is open, in pixels (<see cref="FirstHitParts.Motion"/>).</summary>
+    public Vector2 Motion { get; init; }
 }
 
 /// <summary>The parts of <see cref="FirstHit"/> that cost time.</summary>
@@ -67,6 +70,9 @@ public enum FirstHitParts
 
     /// <summary>The cost of the ray.</summary>
     Cost = 4,
+
+    /// <summary>The way that it goes in the picture, with <see cref="Surface"/>.</summary>
+    Motion = 8,
 }
 
 /// <summary>The samples whose numbers make a pixel's.</summary>

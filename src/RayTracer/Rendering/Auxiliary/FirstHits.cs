@@ -1,4 +1,6 @@
 using System.Numerics;
+using RayTracer.Acceleration;
+using RayTracer.Cameras;
 using RayTracer.Materials;
 using RayTracer.Numerics;
 
@@ -94,6 +96,12 @@ internal sealed unsafe class FirstHits
         bool usesUv = group.Traits.UsesUv || _film.Needs.HasFlag(FirstHitParts.Uv);
         SurfaceShader.Describe(_scene, group, _rays, index, usesUv, out SurfaceW surface);
         group.Material.Albedo(surface, out RgbW albedo);
+        (FloatW right, FloatW down) = (0f, 0f);
+        if (_film.Needs.HasFlag(FirstHitParts.Motion) && _scene.Camera.CanLink)
+        {
+            FindMotion(group, index, count, surface, out right, out down);
+        }
+
         for (int lane = 0; lane < count; lane++)
         {
             FirstHit hit = Hit((int)index[lane], out long pixel) with
@@ -102,9 +110,34 @@ internal sealed unsafe class FirstHits
                 Normal = At(surface.Facing, lane),
                 Albedo = new(albedo.R[lane], albedo.G[lane], albedo.B[lane]),
                 Uv = new(surface.U[lane], surface.V[lane]),
+                Motion = new(right[lane], down[lane]),
             };
             _film.Add(pixel, hit, isDescribed: true);
         }
+    }
+
+    // The same point of the surface, seen through the same point of the lens, when the shutter opens and when it closes.
+    private void FindMotion(ShadingGroup group, uint* index, int count, in SurfaceW surface, out FloatW right, out FloatW down)
+    {
+        PathNumber.Split(MaskW.First(count).Select(UIntW.Pick(_rays.Path, index), 0u), _samples, out UIntW pixel, out UIntW sample);
+        UIntW key = UIntW.Gather(_generator.PixelKeys, pixel);
+        See(group, surface, _scene.Render.Shutter.X, key, sample, out CameraLinkW opening);
+        See(group, surface, _scene.Render.Shutter.Y, key, sample, out CameraLinkW closing);
+        (right, down) = (closing.X - opening.X, closing.Y - opening.Y);
+    }
+
+    private void See(ShadingGroup group, in SurfaceW surface, float time, in UIntW key, in UIntW sample, out CameraLinkW link)
+    {
+        Vec3W point = surface.Point;
+        if (group.IsInstanced)
+        {
+            float* memory = stackalloc float[InstanceMaps.Floats];
+            InstanceMaps maps = new(memory);
+            maps.Fill(_scene.World.Instances!, surface.Instance, time);
+            point = maps.Point(surface.InnerPoint);
+        }
+
+        _scene.Camera.Link(point, time, _scene.Sampler, key, sample, out link);
     }
 
     internal static Vector3 At(in Vec3W v, int lane) => new(v.X[lane], v.Y[lane], v.Z[lane]);
