@@ -93,6 +93,21 @@ public class MatteTests
         Assert.Equal(0, Mean(film, (x, y) => Math.Abs(film.Alpha(x, y))), 1e-6);
     }
 
+    // The same things as instances, in motion that brings nothing elsewhere, through a lens and among more lights than are all asked at each point.
+    [Fact]
+    public void Instances_catch_shadows_as_things_do()
+    {
+        string Instance(string thing) => $$"""{ "type": "instance", "of": {{thing}}, "motion": [{ "time": 0 }, { "time": 1 }] }""";
+        string lamps = string.Join(", ", Enumerable.Range(0, 12).Select(i => $$"""{ "type": "point", "position": [{{i - 5}}, 4, 1], "intensity": [3, 3, 3] }"""));
+        string lights = $$""", "lights": [{{lamps}}]""";
+        const string board = """{ "type": "rectangle", "corner": [-9, 0, 9], "edgeU": [18, 0, 0], "edgeV": [0, 0, -18], "material": { "type": "shadowCatcher" } }""";
+        Film things = Rendered(Build($"{board}, {Ball(null)}", samples: 256, lights: lights));
+        Film instances = Rendered(Build($"{Instance(board)}, {Instance(Ball(null))}", samples: 256, lights: lights));
+        Assert.InRange(Mean(things, (x, y) => things.Alpha(x, y)), 0.1, 0.6);
+        Assert.Equal(Mean(things, (x, y) => things.Alpha(x, y)), Mean(instances, (x, y) => instances.Alpha(x, y)), 0.005);
+        Assert.Equal(0, Mean(instances, (x, y) => Math.Abs(instances.Alpha(x, y) - things.Alpha(x, y))), 0.02);
+    }
+
     [Fact]
     public void What_stands_before_hides_both()
     {
