@@ -245,7 +245,9 @@ internal static class CommandLine
             : string.Join(' ', words.Append("[options]"));
     }
 
-    private static string ExampleOf(Symbol command) => command.Parents.FirstOrDefault() is { Name: not "raytracer" } above ? ExampleOf(above)
+    // What belongs to a verb, and takes no words, is its own example.
+    private static string ExampleOf(Symbol command) => command.Parents.FirstOrDefault() is { Name: not "raytracer" } above
+        ? command is Command { Arguments.Count: 0, Subcommands.Count: 0 } ? $"{above.Name} {command.Name}" : ExampleOf(above)
         : Verbs.FirstOrDefault(v => v.Name == command.Name)?.Example ?? "render scene.json -o picture.png";
 
     private static bool IsToOutput(string[] args, int i) => i > 0 && args[i] == "-" && (args[i - 1] is "-o" or "--output");
@@ -260,6 +262,9 @@ internal static class CommandLine
             case JobException { Fault: JobFault.Request }:
                 streams.Fail(OneLine(e.Message).TrimEnd('.'));
                 return ExitStatus.Usage;
+            case JobException { Fault: JobFault.Plugin }:
+                streams.Fail(e.Message);
+                return ExitStatus.InputOutput;
             case JobException or PluginException or ImageWriteException or PictureException or LabException or IOException or UnauthorizedAccessException:
                 streams.Fail(OneLine(e.Message).TrimEnd('.'));
                 return ExitStatus.InputOutput;

@@ -8,6 +8,9 @@ public enum JobFault
 
     /// <summary>The request makes no sense.</summary>
     Request,
+
+    /// <summary>A class of a plug-in threw an exception: the message ends with the first lines of its stack.</summary>
+    Plugin,
 }
 
 /// <summary>A job that cannot be done.</summary>

@@ -44,7 +44,20 @@ public sealed class JobRun(RenderJob job, IJobWatch watch)
     /// <summary>Loads and renders.</summary>
     /// <param name="cancellation">Ends it early.</param>
     /// <returns>The outcome; null where the scene is wrong, which was reported.</returns>
+    /// <exception cref="JobException">What was asked for cannot be done, or a class of a plug-in threw an exception.</exception>
     public JobResult? Compute(CancellationToken cancellation)
+    {
+        try
+        {
+            return Computed(cancellation);
+        }
+        catch (Exception e) when (PluginFault.Is(e))
+        {
+            throw PluginFault.Report(e);
+        }
+    }
+
+    private JobResult? Computed(CancellationToken cancellation)
     {
         SceneLoadResult load = job.Load(Described, ReadPicture);
         watch.Read(load.Diagnostics);
@@ -116,6 +129,10 @@ public sealed class JobRun(RenderJob job, IJobWatch watch)
         {
             // There is no picture yet.
             return result;
+        }
+        catch (Exception e) when (PluginFault.Is(e))
+        {
+            throw PluginFault.Report(e, loaded.Scene);
         }
     }
 

@@ -25,7 +25,7 @@ internal sealed class TextbookRender(Renderer renderer, RenderOptions options)
             try
             {
                 int sample = samples.First + done;
-                Add(film, area, sample, renderer.Pass(sample, threads, cancellation));
+                Add(film, area, sample, Pass(sample, threads, cancellation));
                 done++;
                 progress?.Report(new((long)area.Pixels * done, (long)area.Pixels * samples.Count, 0) { Pass = done, SamplesDone = done });
                 isStopped = options.AfterPass?.Invoke(new(sample, sample + 1)) <= TimeSpan.Zero;
@@ -45,6 +45,33 @@ internal sealed class TextbookRender(Renderer renderer, RenderOptions options)
             BadSamples = _bad,
             Cancelled = done < samples.Count,
         };
+    }
+
+    private Textbook.Rgb[] Pass(int sample, int threads, CancellationToken cancellation)
+    {
+        try
+        {
+            return renderer.Pass(sample, threads, cancellation);
+        }
+        catch (Exception e) when (PluginFault.Is(e) && Find(sample, cancellation) is { } pixel)
+        {
+            throw new RenderFailedException(pixel, new(sample, sample + 1), e);
+        }
+    }
+
+    // The first pixel at which a pass breaks off, by one thread; null where that is on a path from a light, or does not happen again.
+    private Tile? Find(int sample, CancellationToken cancellation)
+    {
+        Tile? last = null;
+        try
+        {
+            renderer.With((stream, own) => new NotedSampler(own, (x, y, _) => last = stream == 0 ? new(x, y, 1, 1) : null)).Pass(sample, 1, cancellation);
+            return null;
+        }
+        catch (Exception e) when (e is not OperationCanceledException)
+        {
+            return last;
+        }
     }
 
     private void Add(Film film, Tile area, int sample, Textbook.Rgb[] pixels)

@@ -1,7 +1,9 @@
 using System.Diagnostics;
+using System.Globalization;
 using System.Reflection.Metadata;
 using System.Reflection.Metadata.Ecma335;
 using System.Reflection.PortableExecutable;
+using System.Text.RegularExpressions;
 
 namespace RayTracer.Cli.Tests;
 
@@ -73,6 +75,42 @@ public class PluginTests
         (int status, string text) = Run("check", "--plugin=" + s_plugin, Write(folder, Scene.Replace("0.8", "-1", StringComparison.Ordinal)));
         Assert.Equal(3, status);
         Assert.Contains("\"size\" must be greater than 0, but is -1", text, StringComparison.Ordinal);
+    }
+
+    [Theory]
+    [InlineData("fast")]
+    [InlineData("textbook")]
+    public void An_exception_of_a_plug_in_is_told_with_its_class_its_methods_the_pixel_and_the_sample(string edition)
+    {
+        using TemporaryFolder folder = new();
+        string scene = Write(folder, """
+            {
+              "camera": { "position": [0, 0, 4] },
+              "render": { "width": 40, "height": 32, "samplesPerPixel": 4 },
+              "shapes": [{ "type": "sphere", "center": [0, 0, 0], "material": { "type": "ownMatt", "breaksAbove": 0.7 } }],
+              "lights": [{ "type": "point", "position": [1, 3, 4], "intensity": [50, 50, 50] }]
+            }
+            """);
+        string plugin = Path.Combine(AppContext.BaseDirectory, "RayTracer.StudentPlugin.dll");
+        string[] render = ["render", scene, "--plugin", plugin, "--edition", edition, "--quiet"];
+
+        (int status, string text) = Run([.. render, "-o", folder["picture.png"]]);
+
+        Match told = Regex.Match(text.ReplaceLineEndings("\n"), """
+            ^raytracer: error: OwnMatt.Matt, of the plug-in RayTracer.StudentPlugin [\d.]+, threw InvalidOperationException at pixel (\d+),(\d+), sample \d: This is too high
+              at OwnMatt.Matt(?: \(OwnMatt.cs:\d+\))?
+            (?:  at OwnMatt.Evaluate(?: \(OwnMatt.cs:\d+\))?
+            )*$
+            """.ReplaceLineEndings("\n"));
+        Assert.True(told.Success && status == 4, $"{status}: {text}");
+
+        // Only the top of the ball is so high. There the fast edition breaks again, and nowhere else.
+        Assert.InRange(int.Parse(told.Groups[2].Value, CultureInfo.InvariantCulture), 3, 8);
+        if (edition == "fast")
+        {
+            Assert.Equal(4, Run([.. render, "--pixel", $"{told.Groups[1].Value},{told.Groups[2].Value}"]).Status);
+            Assert.Equal(0, Run([.. render, "--pixel", "20,16"]).Status);
+        }
     }
 
     [Theory]

@@ -13,13 +13,18 @@ public sealed record OwnMattDescription : TextbookMaterialDescription
     [Parameter("The share of light that is reflected.", Minimum = 0, Maximum = 1)]
     public TextureDescription Color { get; init; } = new Numerics.Rgb(0.5f, 0.5f, 0.5f);
 
+    /// <summary>The height above which it breaks.</summary>
+    [Parameter("The height above which it breaks.", Unit = "scene units")]
+    public float BreaksAbove { get; init; } = 1e6f;
+
     /// <inheritdoc/>
-    public override IMaterial Make(TextureMaker texture) => new OwnMatt(texture(Color));
+    public override IMaterial Make(TextureMaker texture) => new OwnMatt(texture(Color), BreaksAbove);
 }
 
 /// <summary>A matt surface, whose directions are chosen by throwing points at a disk.</summary>
 /// <param name="color">The share of light that is reflected.</param>
-public sealed class OwnMatt(ITexture color) : IMaterial
+/// <param name="breaksAbove">The height above which it throws an exception.</param>
+public sealed class OwnMatt(ITexture color, double breaksAbove = double.PositiveInfinity) : IMaterial
 {
     /// <inheritdoc/>
     public Rgb Evaluate(in Hit hit, Vector toViewer, Vector toLight) => toLight.Z > 0 ? Matt(hit, toViewer) : default;
@@ -42,5 +47,6 @@ public sealed class OwnMatt(ITexture color) : IMaterial
     }
 
     /// <inheritdoc/>
-    public Rgb Matt(in Hit hit, Vector toViewer) => color.At(hit.U, hit.V) * (1 / Math.PI);
+    public Rgb Matt(in Hit hit, Vector toViewer) =>
+        hit.Point.Y > breaksAbove ? throw new InvalidOperationException("This is too high.") : color.At(hit.U, hit.V) * (1 / Math.PI);
 }

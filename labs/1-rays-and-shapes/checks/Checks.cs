@@ -8,6 +8,10 @@ public static class Checks
     // Where rays only just meet or miss something, rounding decides: such cases are left out.
     private const double Clear = 1e-3;
 
+    private const string WholeNumbers = "Your rays are right where width and height are even: in C#, 5 / 2 of whole numbers is 2, so divide by 2.0.";
+
+    private const string WrongWeights = "Your areas weigh the wrong corners: the triangle of the ray with B and C is the share of A, the corner that is not on that edge.";
+
     // Rays that are aimed at edges: of the usual way to write a triangle, one of some hundred slips through.
     private const int Tries = 4000;
 
@@ -22,8 +26,13 @@ public static class Checks
             ("Your picture is upside down: rows are counted from the top, and the y of the world goes upwards.", v => v.Ray(up: -1)),
             ("Your rays are right but for their length: is the direction a unit vector?", v => v.Ray(isUnit: false)),
             ("Your field of view is too wide: it reaches from edge to edge, so that half of the angle is on either side of the middle.", v => v.Ray(angle: 2)),
+            ("Your field of view lies across the width of the picture: it is the angle between the bottom and the top.", v => v.Ray(scale: (double)v.Height / v.Width)),
+            ("Your pixels are no squares: both sides of one are 2·tan(θ/2) / height.", v => v.Ray(stretch: (double)v.Height / v.Width)),
             ("Your picture is the right one in a mirror: left and right have changed places.", v => v.Ray(right: -1)),
-            ("Your rays lie half a pixel off: x is given in pixels, and the middle of the first pixel is 0.5 already.", v => v.Ray(shift: 0.5)),
+            ("Your rays lie half a pixel off: x is given in pixels, and the middle of the first pixel is 0.5 already.", v => v.Ray(shiftX: 0.5, shiftY: 0.5)),
+            (WholeNumbers, v => v.Ray(shiftX: v.OddX, shiftY: v.OddY)),
+            (WholeNumbers, v => v.Ray(shiftX: v.OddX)),
+            (WholeNumbers, v => v.Ray(shiftY: v.OddY)),
         ],
     });
 
@@ -72,7 +81,11 @@ public static class Checks
     [Check("the triangle without cracks", 2)]
     public static void WatertightTriangle(CheckRun run)
     {
-        run.Compare(Corners.Trial("the triangle without cracks", Shapes.WatertightTriangle));
+        run.Compare(Corners.Trial(
+            "the triangle without cracks", Shapes.WatertightTriangle,
+            (WrongWeights, c => c.Weighted(c.V, c.W, c.U)),
+            (WrongWeights, c => c.Weighted(c.U, c.V, c.W)),
+            ("You return the mean of the three Z: where the ray is near to a corner, that corner's Z must weigh more.", c => c.Weighted(1, 1, 1))));
         Shell shell = new(run.Random);
         Ray[] missed = [.. shell.AtCorners().Where(shell.IsMissedBy(Shapes.WatertightTriangle))];
         if (missed.Length == shell.Corners)
@@ -109,14 +122,21 @@ public static class Checks
             return view.X < view.Width && view.Y < view.Height && forward.Length > 0.5 && Math.Abs(forward.Unit.Y) < 0.9 ? view : null;
         }
 
-        public Ray Ray(double up = 1, double right = 1, double angle = 1, double shift = 0, bool isUnit = true)
+        /// <summary>What is lost where half of the width is rounded downwards, in pixels.</summary>
+        public double OddX => 0.5 * (Width % 2);
+
+        /// <summary>What is lost where half of the height is rounded downwards, in pixels.</summary>
+        public double OddY => 0.5 * (Height % 2);
+
+        public Ray Ray(
+            double up = 1, double right = 1, double angle = 1, double scale = 1, double stretch = 1, double shiftX = 0, double shiftY = 0, bool isUnit = true)
         {
             Vector forward = (LookAt - Eye).Unit;
             Vector toRight = Vector.Cross(forward, new(0, 1, 0)).Unit * right;
             Vector toTop = Vector.Cross(Vector.Cross(forward, new(0, 1, 0)).Unit, forward) * up;
-            double half = Math.Tan(angle * FieldOfView / 2 * Math.PI / 180);
-            double s = (2 * (X + shift) / Width) - 1;
-            double t = (Height - (2 * (Y + shift))) / Width;
+            double half = scale * Math.Tan(angle * FieldOfView / 2 * Math.PI / 180);
+            double s = stretch * ((2 * (X + shiftX)) - Width) / Height;
+            double t = 1 - (2 * (Y + shiftY) / Height);
             Vector window = forward + (half * ((s * toRight) + (t * toTop)));
             return new(Eye, isUnit ? window.Unit : window);
         }
@@ -132,6 +152,7 @@ public static class Checks
             ("You return where the ray leaves the sphere: of two points the nearer one is seen.", b => b._far > 0 ? b._far : null),
             ("A ray that starts inside the sphere misses it: where the nearer point lies behind the origin, the farther one counts.", b => b._near > 0 ? b._near : null),
             ("You return points behind the origin of the ray: there t is below 0.", b => double.IsNaN(b._near) ? null : b._near),
+            ("Your sphere lies on the other side of the ray's origin: b is 2·(O − C)·D, and with C − O it has the other sign.", b => b._far < 0 ? -b._far : b._near < 0 ? -b._near : null),
         ];
 
         public double? Truth
@@ -189,7 +210,8 @@ public static class Checks
     {
         private readonly double[] _solution = Solve(Ray, A, B, C);
 
-        public static Trial<Corners> Trial(string title, Func<Ray, Vector, Vector, Vector, double?> own) => new()
+        public static Trial<Corners> Trial(
+            string title, Func<Ray, Vector, Vector, Vector, double?> own, params IEnumerable<(string Sentence, Func<Corners, Answer?> Answer)> mistakes) => new()
         {
             Draw = Draw,
             Found = c => own(c.Ray, c.A, c.B, c.C),
@@ -201,9 +223,17 @@ public static class Checks
                 ("You return triangles that lie behind the eye: there t is below 0.", c => c.Answer(hasFront: false)),
                 ("You see the triangle from one side only: a negative determinant is none to give up at.", c => c.Answer(side: 1)),
                 ("You see the triangle from one side only: a positive determinant is none to give up at.", c => c.Answer(side: -1)),
+                .. mistakes,
             ],
             Show = c => RayScene.Show(title, c.Ray, own(c.Ray, c.A, c.B, c.C), c.T, RayScene.Shape("triangle", "silver", ("a", c.A), ("b", c.B), ("c", c.C))),
         };
+
+        // The barycentric coordinates of the corners: that of A is 1 − u − v.
+        public double W => 1 - U - V;
+
+        public double U => _solution[1];
+
+        public double V => _solution[2];
 
         private double? T => _solution is [> 0 and var t, >= 0 and var u, >= 0 and var v] && u + v <= 1 ? t : null;
 
@@ -213,6 +243,13 @@ public static class Checks
             bool isInside = u >= 0 && v >= 0 && (hasThird ? u + v <= 1 : !hasEnd || (u <= 1 && v <= 1));
             bool isOnSide = side == 0 || side * Vector.Dot(Vector.Cross(B - A, C - A), Ray.Direction) < 0;
             return isInside && isOnSide && (t > 0 || !hasFront) ? t : null;
+        }
+
+        /// <summary>The mean of the corners as they are seen along the ray, by these weights.</summary>
+        public Answer? Weighted(double ofA, double ofB, double ofC)
+        {
+            double t = ((ofA * Shapes.Along(Ray, A).Z) + (ofB * Shapes.Along(Ray, B).Z) + (ofC * Shapes.Along(Ray, C).Z)) / (ofA + ofB + ofC);
+            return Math.Min(W, Math.Min(U, V)) >= 0 && t > 0 ? t : null;
         }
 
         private static Corners? Draw(Draws draws)
@@ -228,7 +265,7 @@ public static class Checks
                 return null;
             }
 
-            Corners corners = new(new(origin, draws.Whole("turned round", 0, 3) == 3 ? -direction.Unit : direction.Unit), a, b, c);
+            Corners corners = new(new(origin, draws.Whole("points away from the triangle (where 3)", 0, 3) == 3 ? -direction.Unit : direction.Unit), a, b, c);
             double across = Math.Abs(Vector.Dot(Vector.Cross(b - a, c - a).Unit, direction.Unit));
             bool isClear = new[] { u, v, u + v - 1, u - 1, v - 1 }.All(x => Math.Abs(x) > Clear);
             return isClear && across > 0.05 ? corners : null;

@@ -59,11 +59,12 @@ public sealed class Room
 {
     public const int Width = 240;
     public const int Height = 180;
+    private const double FieldOfView = 35;
     private static readonly Vector s_eye = new(0, 1.4, 5);
     private static readonly Vector s_lookAt = new(0, 0.7, 0);
     private readonly (Vector Center, double Radius)[] _balls;
     private readonly (Vector A, Vector B, Vector C) _sail = (new(-1.6, 0, -0.6), new(1.4, 0, -1.2), new(-0.3, 2.2, -0.9));
-    private readonly Camera _camera = new(s_eye, s_lookAt, 45, Width, Height);
+    private readonly Camera _camera = new(s_eye, s_lookAt, FieldOfView, Width, Height);
     private readonly PerspectiveCamera _reference;
 
     /// <summary>Makes one.</summary>
@@ -73,7 +74,7 @@ public sealed class Room
         Vector forward = (s_lookAt - s_eye).Unit;
         Vector right = Vector.Cross(forward, new(0, 1, 0)).Unit;
         _reference = new(
-            s_eye, forward, right, Vector.Cross(right, forward), Width, Height, 2 * Math.Tan(45.0 / 2 * Math.PI / 180) / Width, new Pinhole(), focus: 1);
+            s_eye, forward, right, Vector.Cross(right, forward), Width, Height, 2 * Math.Tan(FieldOfView / 2 * Math.PI / 180) / Height, new Pinhole(), focus: 1);
     }
 
     /// <summary>A pixel by the student's functions: balls of even number by algebra, the others by geometry.</summary>

@@ -115,7 +115,7 @@ public static class Shapes
 
     /// <summary>
     /// A point as it is seen along a ray: relative to the ray's origin, and sheared so that the ray goes along the third axis. Points on the ray have x = y = 0,
-    /// and z is their t. It is computed for each point by itself, so that a corner that triangles share is the same for all of them.
+    /// and z is their t, with a minus where they lie behind the origin. It is computed for each point by itself, so that a corner that triangles share is the same for all of them.
     /// </summary>
     public static Vector Along(Ray ray, Vector point)
     {

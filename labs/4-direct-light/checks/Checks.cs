@@ -54,7 +54,11 @@ public static class Checks
         Vector[] lamps = [.. Enumerable.Range(0, 5).Select(_ => new Vector(run.Random.Next(), 1 + run.Random.Next(), run.Random.Next()))];
         double[] estimates = [.. Enumerable.Range(0, Count).Select(_ => Lights.FromOne(floor, lamps, 10, run.Random))];
         double[] single = [.. lamps.Select(l => new Lit(floor, l, 10, []).Radiance() * lamps.Length)];
-        IsNear(run, "all of five lamps", single.Average(), estimates, Deviation(single));
+        string at = $"a place at (0, 0, 0) with normal (0, 1, 0) and albedo 0.5; lamps of intensity 10 at {string.Join(", ", lamps.Select(l => Answer.Text((Answer)l)))}";
+        IsNear(
+            run, "all of five lamps", at, single.Average(), estimates, Deviation(single),
+            ("You never choose the last lamp: (int)(u · N) is each of 0 to N − 1 equally often.", single[..^1].Average()),
+            ("You never choose the first lamp: (int)(u · N) is each of 0 to N − 1 equally often.", single[1..].Average()));
     }
 
     [Check("a random point of a rectangle", 2)]
@@ -79,7 +83,9 @@ public static class Checks
         });
         Hall hall = new(run.Random);
         double[] estimates = [.. Enumerable.Range(0, Count).Select(_ => Lights.FromRectangle(hall.Place, hall.Panel, run.Random.Next2()))];
-        IsNear(run, "a rectangle above a floor", hall.Radiance, estimates, Deviation(estimates));
+        IsNear(
+            run, "a rectangle above a floor", hall.Text, hall.Radiance, estimates, Deviation(estimates),
+            ("Your points lie around the corner, but both edges begin there: Corner + U · EdgeU + V · EdgeV.", (hall with { Panel = hall.Panel with { Corner = hall.Panel.Corner - (0.5 * (hall.Panel.EdgeU + hall.Panel.EdgeV)) } }).Radiance));
     }
 
     [Check("strata", 1)]
@@ -96,7 +102,7 @@ public static class Checks
             run.Fail($"You return the sum over the parts, which is {Side * Side} times too large: it is the mean that is wanted.", isRecognised: true);
         }
 
-        IsNear(run, "a rectangle above a floor, by strata", hall.Radiance, strata, Deviation(single) / Side);
+        IsNear(run, "a rectangle above a floor, by strata", hall.Text, hall.Radiance, strata, Deviation(single) / Side);
         double noise = Deviation(strata) / (Deviation(single) / Side);
         if (noise > 0.75)
         {
@@ -140,12 +146,19 @@ public static class Checks
             run.Fail("Your directions crowd in the middle of the ball: it is the height, the cosine, that is uniform, not the angle.", isRecognised: true, $"a mean cosine of {(1 + rim) / 2:F4}", $"{heights.Average():F4}");
         }
 
-        IsNear(run, "the mean cosine of the directions", (1 + rim) / 2, heights, (1 - rim) / Math.Sqrt(12));
+        string at = $"a place at (0, 0, 0) with normal (0, 1, 0) and albedo 0.7; a ball of radiance 3 and radius {ball.Radius:G6} at {Answer.Text((Answer)ball.Center)}";
+        IsNear(run, "the mean cosine between your directions and the middle of the ball", at, (1 + rim) / 2, heights, (1 - rim) / Math.Sqrt(12));
 
         // A ball that is all above the surface lights it as its middle would, with all of its power (Lambert 1760).
         double truth = place.Albedo * ball.Radiance * (ball.Radius * ball.Radius / (distance * distance)) * (ball.Center.Y / distance);
         double[] estimates = [.. Enumerable.Range(0, Count).Select(_ => Lights.FromBall(place, ball, run.Random.Next2()))];
-        IsNear(run, "the light of a ball", truth, estimates, Deviation(estimates));
+        double solidAngle = 2 * Math.PI * (1 - rim);
+        IsNear(
+            run, "the light of a ball", at, truth, estimates, Deviation(estimates),
+            ("You have forgotten the cosine at the place: light that comes at a slant is spread over more of it.", place.Albedo / Math.PI * ball.Radiance * solidAngle),
+            ("You have multiplied by the density, but must divide: it is 1/solid angle.", truth / (solidAngle * solidAngle)),
+            ("You have forgotten the density: divide by it, that is, multiply by the solid angle.", truth / solidAngle),
+            ("You have forgotten π: a matt surface sends albedo/π in each direction.", truth * Math.PI));
     }
 
     [Check("the power heuristic", 1)]
@@ -164,7 +177,7 @@ public static class Checks
     [Check("both ways at once", 1)]
     public static void Both(CheckRun run)
     {
-        Place place = new(default, new(0, 1, 0), 1);
+        Place place = new(default, new(0, 1, 0), 0.7);
         Ball ball = new(new(0.4 + (0.3 * run.Random.Next()), 2, 0.2), 0.5 + (0.2 * run.Random.Next()), 3);
         Lobe lobe = new(new Vector(0.1, 1, 0).Unit, place.Normal, 10);
         double truth = Reference.Light(place, ball, lobe);
@@ -175,20 +188,31 @@ public static class Checks
             run.Fail("You have counted the ball twice: each way alone finds all of its light, so that both need shares that are 1 together.", isRecognised: true, $"{truth:G4}", $"{estimates.Average():G4}");
         }
 
-        IsNear(run, "the ball in a shiny surface", truth, estimates, Deviation(estimates));
+        double Light(Func<Vector, double> factor) => Reference.Light(place, ball, lobe, factor);
+        IsNear(
+            run, "the ball in a shiny surface", $"a ball of radiance 3 and radius {ball.Radius:G6} at {Answer.Text((Answer)ball.Center)}, seen from (0, 0, 0)", truth, estimates, Deviation(estimates),
+            ("You have one cosine too many: lobe.Value is BSDF · cosine already.", Light(d => Vector.Dot(d, place.Normal))),
+            ("You have multiplied by the albedo: what the shiny surface reflects is lobe.Value alone.", truth * place.Albedo),
+            ("You have multiplied by albedo/π: what the shiny surface reflects is lobe.Value alone.", truth * place.Albedo / Math.PI),
+            ("You return the mean of the two ways: their shares are 1 together, so that it is the sum that is wanted.", truth / 2));
         if (Deviation(estimates) > 1.4 * Deviation(best))
         {
             run.Fail("Your estimate is right, but with too much noise: does each way get the share of its own density?", isRecognised: true, $"a deviation of {Deviation(best):G3}", $"{Deviation(estimates):G3}");
         }
     }
 
-    private static void IsNear(CheckRun run, string what, double truth, double[] estimates, double deviation)
+    // A mistake is named where the mean is what it would be.
+    private static void IsNear(
+        CheckRun run, string what, string at, double truth, double[] estimates, double deviation, params IEnumerable<(string Sentence, double Mean)> mistakes)
     {
         double found = estimates.Average();
         double most = (Far * deviation / Math.Sqrt(estimates.Length)) + (1e-9 * truth);
         if (!(Math.Abs(found - truth) <= most))
         {
-            run.Fail($"Your estimate of {what} is off by more than chance allows.", expected: $"{truth:G6} ± {most:G2}", found: $"{found:G6}");
+            string? sentence = mistakes.FirstOrDefault(m => Math.Abs(found - m.Mean) <= most).Sentence;
+            run.Fail(
+                sentence ?? $"Your estimate of {what} is off by more than chance allows.", sentence is not null, $"{truth:G6} ± {most:G2} as the mean of {estimates.Length} estimates",
+                $"{found:G6}", at);
         }
     }
 

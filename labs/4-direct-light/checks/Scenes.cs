@@ -3,7 +3,7 @@ using RayTracer.Labs;
 namespace Lab4;
 
 /// <summary>A floor below a shining rectangle.</summary>
-public sealed class Hall
+public sealed record Hall
 {
     private const int Width = 120;
     private const int Height = 90;
@@ -19,7 +19,10 @@ public sealed class Hall
     public Place Place { get; }
 
     /// <summary>The rectangle.</summary>
-    public Panel Panel { get; }
+    public Panel Panel { get; init; }
+
+    /// <summary>What it is, in words.</summary>
+    public string Text => $"a place at {Answer.Text((Answer)Place.Point)} with normal (0, 1, 0) and albedo 0.8; a rectangle of radiance 5 with the corner {Answer.Text((Answer)Panel.Corner)} and the edges (1.6, 0, 0) and (0, 0, 1.2)";
 
     /// <summary>What leaves the place: the irradiance of a polygon is a sum over its edges (Lambert 1760).</summary>
     public double Radiance
@@ -48,7 +51,11 @@ public sealed class Hall
 public static class Reference
 {
     /// <summary>By summing over the cone in which the ball is seen.</summary>
-    public static double Light(Place place, Ball ball, Lobe lobe)
+    /// <param name="place">The place.</param>
+    /// <param name="ball">The ball.</param>
+    /// <param name="lobe">The shiny surface.</param>
+    /// <param name="factor">A factor on the light of each direction; null for none.</param>
+    public static double Light(Place place, Ball ball, Lobe lobe, Func<Vector, double>? factor = null)
     {
         const int Steps = 400;
         (double height, Frame frame) = Cone(place, ball);
@@ -57,7 +64,8 @@ public static class Reference
         {
             for (int j = 0; j < Steps; j++)
             {
-                sum += lobe.Value(InCone(frame, height, ((i + 0.5) / Steps, (j + 0.5) / Steps)));
+                Vector direction = InCone(frame, height, ((i + 0.5) / Steps, (j + 0.5) / Steps));
+                sum += lobe.Value(direction) * (factor?.Invoke(direction) ?? 1);
             }
         }
 

@@ -2,7 +2,7 @@ namespace Lab4;
 
 /// <summary>
 /// Light that comes straight to a matt surface from lamps, with nothing in between. A Place has a Point, a unit Normal and an Albedo (the share of light that it
-/// reflects). All functions return the radiance that leaves it: albedo/π times the irradiance.
+/// reflects). FromPoint to FromBall return the radiance that leaves it: albedo/π times the irradiance.
 /// </summary>
 public static class Lights
 {
@@ -115,6 +115,7 @@ public static class Lights
     /// <param name="place">The place, outside of the ball.</param>
     /// <param name="ball">The ball.</param>
     /// <param name="random">Two random numbers from 0 to 1.</param>
+    /// <returns>A unit vector.</returns>
     public static Vector InCone(Place place, Ball ball, (double U, double V) random)
     {
         //? Lights.InCone: heights are uniform between the cosine of the rim and 1; turn the cone to the ball with a Frame.
@@ -139,7 +140,7 @@ public static class Lights
 
     /// <summary>
     /// The light of a ball in a shiny surface, found in two ways at once: one direction towards the ball, and one that the surface's lobe chooses. Each is weighted
-    /// by its share.
+    /// by its share. What the surface reflects is the lobe's Value alone: the albedo of the place is not used.
     /// </summary>
     /// <param name="place">The place.</param>
     /// <param name="ball">The ball.</param>

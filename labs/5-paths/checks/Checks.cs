@@ -15,11 +15,38 @@ public static class Checks
         Draw = Furnace.Draw,
         Found = f => new Paths(maxEdges: 1, rouletteFrom: 100).Radiance(f.Box, f.Ray, run.Random).G + new Paths(1, 100).Radiance(Rooms.Sky(f.Emission, f.Albedo), new(new(0, 3, 0), new(0, 1, 0)), run.Random).G,
         Expected = f => 2 * f.Emission,
-        Mistakes = [("You see the lamps or the sky, but not both: hit.Thing.Light is for what is met, scene.Environment for rays that meet nothing.", f => f.Emission)],
+        Mistakes = [("You see the lamps or the sky, but not both: hit.Thing!.Light!.Radiance(ray.Direction, hit) is for what is met, scene.Environment for rays that meet nothing.", f => f.Emission)],
     });
 
     [Check("edge after edge", 3)]
-    public static void Edges(CheckRun run) => run.Compare(new Trial<Furnace>
+    public static void Edges(CheckRun run)
+    {
+        run.Compare(InAFurnace(run));
+
+        // A ray that leaves a ball meets nothing but the sky, and is weakened once.
+        const double Albedo = 0.5;
+        Scene sky = Rooms.Sky(1, Albedo);
+        double[] seen = [.. Enumerable.Range(0, 400).Select(_ => new Paths(9, 100).Radiance(sky, new(new(run.Random.Next() - 0.5, run.Random.Next() - 0.5, 3), new(0, 0, -1)), run.Random).G)];
+        double[] wrong = [.. seen.Where(s => !(Math.Abs(s - Albedo) < 1e-9))];
+        if (wrong.Length > 0)
+        {
+            run.Fail(
+                wrong.Length == seen.Length ? "Your paths do not get from a ball to the sky: does the new ray go in the direction in the world, and does Around count at its end?"
+                    : $"{wrong.Length} of {seen.Length} paths meet again the ball that they leave, by rounding: let hit.Leave make the new ray.",
+                isRecognised: true, $"{Albedo}", $"{wrong[0]:G6}", $"a ball of albedo {Albedo} under an even sky of radiance 1");
+        }
+
+        // A mirror shows a lamp, if the integrator knows where the path comes from.
+        run.Compare(new Trial<Look>
+        {
+            Draw = Look.AtAMirror,
+            Found = l => new Paths(2, rouletteFrom: 100).Radiance(l.Mirror, l.Ray, run.Random).G,
+            Expected = l => Rooms.Mirrored,
+            Mistakes = [("A mirror sends your path the wrong way: where it comes from is −D, in the frame of the surface, and where it goes must be turned to the world.", l => 0)],
+        });
+    }
+
+    private static Trial<Furnace> InAFurnace(CheckRun run) => new()
     {
         // Within a closed box whose walls all shine alike, there is no noise: each edge of a path finds the same light.
         Draw = Furnace.Draw,
@@ -33,8 +60,9 @@ public static class Checks
             ("You have forgotten the throughput: each surface takes some of the light that comes after it.", f => f.Emission * f.MaxEdges),
             ("Your throughput is that of the last surface alone: what comes back passes all of them, so multiply.", f => f.Emission * (1 + (f.Albedo * (f.MaxEdges - 1)))),
             ("You keep the light of the last edge only: add it to what was found before.", f => f.Emission * Math.Pow(f.Albedo, f.MaxEdges - 1)),
+            ("Your path dies at its second surface: is the direction turned to the world, and does hit.Leave make the ray?", f => f.Emission),
         ],
-    });
+    };
 
     [Check("roulette", 2)]
     public static void Endings(CheckRun run) => run.Compare(new Trial<Chance>
@@ -47,7 +75,7 @@ public static class Checks
         [
             ("Paths that go on do not make up for those that end: divide the throughput by the probability of going on.", c => (c.Survival, 1)),
             ("You multiply by the probability of going on, but must divide: few go on, and each of them stands for many.", c => (c.Survival * c.Survival, 1)),
-            ("Your paths go on where they should end: with the probability p a random number is below p.", c => ((1 - c.Survival) / c.Survival, 1)),
+            ("Your paths go on where they should end: with the probability p a random number is below p.", c => (c.Survival / (1 - c.Survival), 1)),
             ("Your paths never end: the probability of going on must be below 1 for all that is dark.", c => (1, 0)),
         ],
     });
@@ -64,6 +92,18 @@ public static class Checks
     [Check("asking the lamps", 2)]
     public static void Lamps(CheckRun run)
     {
+        // What was not asked must be met: a lamp before the camera, and one in a mirror.
+        run.Compare(new Trial<Look>
+        {
+            Draw = Look.AtAMirror,
+            Found = l => (new LampPaths(2, 100).Radiance(l.Mirror, l.AtLamp, run.Random).G, new LampPaths(2, 100).Radiance(l.Mirror, l.Ray, run.Random).G),
+            Expected = _ => (Rooms.LampRadiance, Rooms.Mirrored),
+            Mistakes =
+            [
+                ("Lamps that the camera sees are dark: nobody asked for them before, so that they count where the path meets them.", _ => (0, Rooms.Mirrored)),
+                ("Lamps that a mirror shows are dark: a mirror cannot ask for them, so that they count where the path meets them.", _ => (Rooms.LampRadiance, 0)),
+            ],
+        });
         // A ball under an even sky sends back its albedo of it.
         LampPaths paths = new(maxEdges: -1, rouletteFrom: 100);
         double albedo = 0.3 + (0.6 * run.Random.Next());
@@ -76,6 +116,11 @@ public static class Checks
         Ball[] lamps = [new(new(-1, 2, 0), 0.3, 20), new(new(1.2, 1.5 + run.Random.Next(), 0.5), 0.2, 10)];
         (Scene floor, double[] lights) = Rooms.Floor(lamps, albedo);
         Ray down = new(new(0, 1, 2), new Vector(0, -1, -2).Unit);
+        if (new LampPaths(1, 100).Radiance(floor, down, run.Random).G != 0)
+        {
+            run.Fail("You ask the lamps for one edge too many: the one to the lamp counts, too, so that with maxEdges = 1 lamps alone are seen.", isRecognised: true, "0 for a floor", "light");
+        }
+
         double[] plain = [.. Enumerable.Range(0, Count).Select(_ => new Paths(-1, 100).Radiance(floor, down, run.Random).G)];
         estimates = [.. Enumerable.Range(0, Count).Select(_ => paths.Radiance(floor, down, run.Random).G)];
         double expected = lights.Sum();
@@ -148,6 +193,20 @@ public static class Checks
 
         // e + albedo·e + albedo²·e + …: a geometric series.
         public double Light(int edges) => Emission * (1 - Math.Pow(Albedo, edges)) / (1 - Albedo);
+    }
+
+    /// <summary>A ray to a place.</summary>
+    private sealed record Look(double X, double Z)
+    {
+        public Scene Mirror => Rooms.Mirror();
+
+        /// <summary>To where the mirror shows the lamp, from an eye that is as high as that.</summary>
+        public Ray Ray => new(new(X, 1, Z), new Vector(Rooms.LampX - X, -2, -Z).Unit);
+
+        /// <summary>At the lamp itself.</summary>
+        public Ray AtLamp => new(new(X, 1, Z), new Vector(Rooms.LampX - X, 0, -Z).Unit);
+
+        public static Look? AtAMirror(Draws draws) => new(draws.Number("x of the eye", -1, 0), draws.Number("z of the eye", -1, 1));
     }
 
     /// <summary>A throughput at the roulette.</summary>

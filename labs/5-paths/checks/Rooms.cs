@@ -13,6 +13,16 @@ public static class Rooms
     public const int Width = 96;
     public const int Height = 72;
 
+    /// <summary>The radiance of the lamp above the mirror.</summary>
+    public const double LampRadiance = 2;
+
+    /// <summary>What the mirror shows of it.</summary>
+    public const double Mirrored = 0.9 * LampRadiance;
+
+    /// <summary>The x of that lamp, whose height is 1.</summary>
+    public const double LampX = 1.5;
+    private static readonly Conductor s_mirror = new(new Reflectance(default, default, new Solid(new Rgb(0.9))));
+
     /// <summary>A closed box of six walls that shine and reflect alike.</summary>
     public static Scene Box(double emission, double albedo) => new(Camera(), Walls(2, i => Wall(albedo), i => emission), [], null, Rgb.Black);
 
@@ -27,6 +37,10 @@ public static class Rooms
         return (scene, [.. lamps.Select(l => albedo * l.Power / Vector.Dot(l.Center, l.Center) * l.Center.Y / l.Center.Length)]);
     }
 
+    /// <summary>A mirror, in the plane through the origin, below a ball that shines.</summary>
+    public static Scene Mirror() =>
+        new(Camera(), [Shining(new Sphere(new(LampX, 1, 0), 0.2), Wall(0), LampRadiance), new(new Plane(default, new(0, 0, 1), new(1, 0, 0)), s_mirror)], [], null, Rgb.Black);
+
     /// <summary>A room with two balls, one of them a mirror, and a lamp at the ceiling.</summary>
     public static Scene Room()
     {
@@ -37,7 +51,7 @@ public static class Rooms
         [
             .. walls, Shining(lamp, Wall(0), 1.6),
             new(new Sphere(new(-0.45, -0.6, -0.3), 0.4), Wall(0.75)),
-            new(new Sphere(new(0.45, -0.65, 0.2), 0.35), new Conductor(new Reflectance(default, default, new Solid(new Rgb(0.9))))),
+            new(new Sphere(new(0.45, -0.65, 0.2), 0.35), s_mirror),
         ];
         return new(Camera(), things, [], null, Rgb.Black);
     }

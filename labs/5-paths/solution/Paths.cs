@@ -10,7 +10,7 @@ public sealed class Paths(int maxEdges, int rouletteFrom) : IIntegrator
     /// <param name="hit">What it has met.</param>
     public static Rgb Emitted(Ray ray, in Hit hit)
     {
-        //? Paths.Emitted: hit.Thing.Light says how it shines; most things have none.
+        //? Paths.Emitted: hit.Thing.Light says how it shines, in the direction of the ray; most things have none.
         return hit.Thing!.Light?.Radiance(ray.Direction, hit) ?? Rgb.Black;
         //!
     }

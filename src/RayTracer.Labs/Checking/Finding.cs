@@ -14,6 +14,9 @@ public sealed record Finding(string Title, int Points)
     /// <summary>True where the sentence names one of the lab's common mistakes.</summary>
     public bool IsRecognised { get; init; }
 
+    /// <summary>True for a wrong answer of which no mistake is recognised.</summary>
+    internal bool IsWrongAnswer => !IsRight && !IsRecognised && Found is not null;
+
     /// <summary>The smallest case in which it goes wrong; null where there is none.</summary>
     public string? Case { get; init; }
 

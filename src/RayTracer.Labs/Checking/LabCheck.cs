@@ -30,12 +30,19 @@ public sealed record LabCheck(LabCard Card, IReadOnlyList<string> Errors, IReadO
         try
         {
             (string assembly, IReadOnlyList<string> errors) = folder.Compile(work.FullName, command => sandbox?.Writing(work.FullName, folder.Path, command) ?? command);
-            return new(folder.Card, errors, errors.Count > 0 ? [] : CheckProcess.Run(
-                from => CheckProcess.Command(program, assembly, folder.Card.Name, from) is var command && sandbox is not null ? sandbox.Reading(work.FullName, command) : command, limit));
+            return new(folder.Card, errors, errors.Count > 0 ? [] : WithAdvice(CheckProcess.Run(
+                from => CheckProcess.Command(program, assembly, folder.Card.Name, from) is var command && sandbox is not null ? sandbox.Reading(work.FullName, command) : command, limit)));
         }
         finally
         {
             work.Delete(recursive: true);
         }
     }
+
+    // Later checks use what earlier ones are of: what is wrong without being recognised may be the same fault again.
+    private static IReadOnlyList<Finding> WithAdvice(IReadOnlyList<Finding> findings) =>
+    [
+        .. findings.Select((f, i) => f.IsWrongAnswer && findings.Take(i).Any(earlier => !earlier.IsRight)
+            ? f with { Sentence = $"{f.Sentence} It may come from what is wrong above: mend that first." } : f),
+    ];
 }

@@ -11,6 +11,9 @@ public sealed class Renderer(Scene scene, IIntegrator integrator, int width, int
     /// <summary>The scene.</summary>
     public Scene Scene => scene;
 
+    /// <summary>The same renderer, with sources of random numbers that are made of its own, by the number of the stream.</summary>
+    public Renderer With(Func<int, ISampler, ISampler> change) => new(scene, integrator, width, height, stream => change(stream, newSampler(stream)));
+
     /// <summary>Renders one sample of each pixel.</summary>
     /// <param name="sample">Number of the sample, from 0.</param>
     /// <param name="threads">The number of threads.</param>

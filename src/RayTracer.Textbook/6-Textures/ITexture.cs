@@ -75,7 +75,7 @@ public sealed class ImageMap(
 
     private static double Tent(double d) => Math.Max(0, 1 - d);
 
-    // Keys, Cubic convolution interpolation for digital image processing (1981), eq. 15, with a = −1/2.
+    // Keys, Cubic convolution interpolation for digital image processing (1981), with a = −1/2.
     private static double CatmullRom(double d) => d < 1 ? (((1.5 * d) - 2.5) * d * d) + 1 : d < 2 ? (((((-0.5 * d) + 2.5) * d) - 4) * d) + 2 : 0;
 
     private Rgb Texel(double column, double row)

@@ -18,10 +18,7 @@ public static class Refraction
         return sin2 >= 1 ? null : new Vector(-eta * from.X, -eta * from.Y, -Math.Sqrt(1 - sin2));
     }
 
-    /// <summary>
-    /// How much of unpolarised light is reflected where two clear media meet (Fresnel's equations; Born &amp; Wolf, Principles of Optics, 7th ed.
-    /// 1999, section 1.5.2, eq. 21a).
-    /// </summary>
+    /// <summary>How much unpolarised light is reflected where two clear media meet (Fresnel; Born &amp; Wolf, Principles of Optics, 7th ed. 1999, section 1.5.2).</summary>
     /// <param name="cosIncident">Cosine of the angle from which light comes.</param>
     /// <param name="cosTransmitted">Cosine of the angle of refraction.</param>
     /// <param name="eta">The refractive index on the side from which light comes, over that of the other.</param>

@@ -10,7 +10,7 @@ namespace RayTracer.Textbook;
 /// <param name="firstRadius">The radius of the circle in the first sample; 0 for a 200th of the scene.</param>
 public sealed class PhotonIntegrator(int maxDepth, int rouletteDepth, double firstRadius) : IIntegrator
 {
-    // The share of its photons that the circle keeps from sample to sample (Knaus & Zwicker, eq. 20).
+    // The share of its photons that the circle keeps from sample to sample (Knaus & Zwicker, eq. 15).
     private const double Kept = 2.0 / 3;
     private readonly Dictionary<(int X, int Y, int Z), List<Photon>> _cells = [];
     private double _radius;

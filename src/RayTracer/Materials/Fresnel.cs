@@ -21,7 +21,7 @@ public static class Fresnel
 
     /// <summary>
     /// Reflectance of unpolarised light at the boundary of two dielectrics (Born &amp; Wolf, Principles of Optics, 7th ed.
-    /// 1999, section 1.5.2, eq. 21a).
+    /// 1999, section 1.5.2).
     /// </summary>
     /// <param name="cosIncident">Cosine of incidence, 0 to 1.</param>
     /// <param name="cosTransmitted">Cosine of refraction by Snell's law, 0 to 1.</param>

@@ -23,15 +23,23 @@ internal sealed class PassItem(PassCell cell, Tile tile, ReadOnlyMemory<int> pix
     public void Plan() => cell.Planned += Pixels;
 
     /// <summary>Follows the paths.</summary>
+    /// <exception cref="RenderFailedException">Something was thrown meanwhile, such as by a class of a plug-in.</exception>
     public void Follow(Wavefront worker, Film film, uint seed)
     {
-        if (pixels.IsEmpty)
+        try
         {
-            worker.Follow(film, tile, samples);
+            if (pixels.IsEmpty)
+            {
+                worker.Follow(film, tile, samples);
+            }
+            else
+            {
+                worker.Follow(film, pixels.Span, pixels, samples, seed);
+            }
         }
-        else
+        catch (Exception e)
         {
-            worker.Follow(film, pixels.Span, pixels, samples, seed);
+            throw new RenderFailedException(pixels.IsEmpty ? tile : Tile.Around(pixels.Span, film.Width), samples, e);
         }
     }
 

@@ -169,7 +169,7 @@ internal sealed class PassLoop(Scene scene, RenderOptions options, Film film, Pa
         Array.ForEach(others[..started], t => t.Join());
         if (_failure is { } failure)
         {
-            throw new InvalidOperationException("Rendering failed.", failure);
+            throw failure as RenderFailedException ?? new InvalidOperationException("Rendering failed.", failure);
         }
     }
 

@@ -32,7 +32,8 @@ public sealed class RTracer(Scene scene, RenderOptions? options = null)
     /// (<see cref="RenderStatistics.SamplesPerPixel"/>), and nothing of the one that was broken off.</param>
     /// <exception cref="ArgumentException">The film's size is not the scene's, samples or crop lie outside the scene's, or an option is out
     /// of range.</exception>
-    /// <exception cref="InvalidOperationException">A thread failed; the inner exception says why. The film is of no use then.</exception>
+    /// <exception cref="InvalidOperationException">A thread failed; the inner exception says why, and a <see cref="RenderFailedException"/> where. The film is of
+    /// no use then.</exception>
     public RenderStatistics Render(Film film, IProgress<RenderProgress>? progress = null, CancellationToken cancellation = default)
     {
         (Tile area, SampleRange samples) = Validate(film);

@@ -13,6 +13,21 @@ public readonly record struct Tile(int X, int Y, int Width, int Height)
     /// <summary>Column and row in the picture of the tile's pixel of the given number (row by row).</summary>
     public (int X, int Y) Pixel(int number) => (X + (number % Width), Y + (number / Width));
 
+    /// <summary>The smallest rectangle with some pixels.</summary>
+    /// <param name="pixels">Their numbers in the picture, row by row; at least one.</param>
+    /// <param name="width">The width of the picture.</param>
+    internal static Tile Around(ReadOnlySpan<int> pixels, int width)
+    {
+        (int left, int top, int right, int bottom) = (int.MaxValue, int.MaxValue, 0, 0);
+        foreach (int pixel in pixels)
+        {
+            (int y, int x) = int.DivRem(pixel, width);
+            (left, top, right, bottom) = (Math.Min(left, x), Math.Min(top, y), Math.Max(right, x), Math.Max(bottom, y));
+        }
+
+        return new(left, top, right - left + 1, bottom - top + 1);
+    }
+
     /// <summary>Cuts a rectangle into tiles of at most <paramref name="edge"/> pixels on a side, row by row.</summary>
     internal static Tile[] Cut(Tile area, int edge)
     {

@@ -18,7 +18,7 @@ internal sealed class LightPass
     // camera paths that cost as much. Caustics want more light paths: measured between both.
     private const int RarityOfConnected = 1;
 
-    // Knaus & Zwicker 2011, equation 12: how fast the circles shrink.
+    // Knaus & Zwicker 2011, equation 15: how fast the circles shrink.
     private const double Alpha = 0.75;
     private const float FirstRadius = 1;
     private readonly Scene _scene;
