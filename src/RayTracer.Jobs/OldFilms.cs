@@ -116,7 +116,8 @@ public static class OldFilms
         // Parameters that came after the first format: they count only where they are given.
         private static readonly string[] s_later =
             ["mergeRadius", "splitting", "straightThrough", "hideLights", "colorAttribute", "luminance", "density", "noise", "albedoGrid",
-             "playback", "variant", "values"];
+             "playback", "variant", "values", "picture", "pictureUp",
+             "refinement", "faceOfTriangle", "smooth", "emission", "emissionGrid"];
 
         public string Of(SceneDescription scene, Tile? crop)
         {

@@ -3,6 +3,7 @@ using RayTracer.Description;
 using RayTracer.Lights;
 using RayTracer.Numerics;
 using RayTracer.Shapes;
+using RayTracer.Textures;
 
 namespace RayTracer.SamplePlugin;
 
@@ -26,7 +27,7 @@ public sealed record BeaconDescription : PunctualLightDescription
     }
 
     /// <inheritdoc/>
-    public override LightSource Create(Motion motion) => new Beacon(Position, Intensity, motion);
+    public override LightSource Create(Motion motion, Texture? picture) => new Beacon(Position, Intensity, motion);
 }
 
 /// <summary>A light at a point that shines upwards only.</summary>

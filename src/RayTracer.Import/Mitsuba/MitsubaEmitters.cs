@@ -3,13 +3,14 @@ using RayTracer.Description;
 using RayTracer.Lights;
 using RayTracer.Materials;
 using RayTracer.Numerics;
+using RayTracer.Textures;
 
 namespace RayTracer.Import;
 
 /// <summary>Makes lights.</summary>
 internal sealed class MitsubaEmitters(ImportReading reading, MitsubaTextures textures)
 {
-    private static readonly string[] s_known = ["area", "point", "spot", "directional", "constant", "envmap"];
+    private static readonly string[] s_known = ["area", "point", "spot", "projector", "directional", "constant", "envmap"];
 
     /// <summary>A material that shines, and reflects as the surface would without.</summary>
     /// <param name="emitter">The emitter of a shape.</param>
@@ -42,6 +43,7 @@ internal sealed class MitsubaEmitters(ImportReading reading, MitsubaTextures tex
         {
             "point" => Point(emitter),
             "spot" => Spot(emitter),
+            "projector" => Projector(emitter),
             "directional" => Directional(emitter),
             _ => null,
         };
@@ -110,12 +112,6 @@ internal sealed class MitsubaEmitters(ImportReading reading, MitsubaTextures tex
 
     private SpotLightDescription Spot(MitsubaObject emitter)
     {
-        if (emitter.HasChild("texture"))
-        {
-            reading.Log.Unsupported(emitter.Place, "a picture in a spot light is not supported", "it shines without");
-            _ = emitter.Child("texture", "texture");
-        }
-
         Transform place = emitter.Transform();
         float cutoff = emitter.Float("cutoff_angle", 20);
         return new()
@@ -125,9 +121,34 @@ internal sealed class MitsubaEmitters(ImportReading reading, MitsubaTextures tex
             Intensity = MitsubaColors.Read(emitter, "intensity", Rgb.White, isLight: true),
             CutoffAngle = cutoff,
             BeamWidth = emitter.Float("beam_width", 0.75f * cutoff),
+            Picture = emitter.Child("texture", "texture") is { } picture ? Mirrored(textures.Read(picture)) : null,
+            PictureUp = place.Vector(Vector3.UnitY).Unit(),
             Name = emitter.Id,
         };
     }
+
+    // Its picture gives the irradiance, over π, of a plane at distance 1; the first row is at the top, and the middle of the first column to the left.
+    private ProjectorLightDescription Projector(MitsubaObject emitter)
+    {
+        Transform place = emitter.Transform();
+        float scale = emitter.Float("scale", 1, 0) * float.Pi;
+        return new()
+        {
+            Position = place.Point(Vector3.Zero),
+            Direction = place.Vector(Vector3.UnitZ).Unit(),
+            Up = place.Vector(Vector3.UnitY).Unit(),
+            Intensity = new(scale, scale, scale),
+            Picture = Upright(textures.Read(emitter, "irradiance", Rgb.White, isLight: true)),
+            FieldOfView = MitsubaSensors.FieldOfView(emitter, out FieldOfViewAxis axis),
+            FieldOfViewAxis = axis,
+            Name = emitter.Id,
+        };
+    }
+
+    // Rows of pictures are counted from the top there, and u grows to the left where a light looks along z with y upwards.
+    private static PlacedTextureDescription Upright(TextureDescription texture) => new() { Texture = texture, Matrix = [1, 0, 0, 0, -1, 1] };
+
+    private static PlacedTextureDescription Mirrored(TextureDescription texture) => new() { Texture = texture, Matrix = [-1, 0, 1, 0, 1, 0] };
 
     private static DirectionalLightDescription Directional(MitsubaObject emitter) => new()
     {

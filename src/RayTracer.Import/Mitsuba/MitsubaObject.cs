@@ -18,6 +18,7 @@ internal sealed class MitsubaObject(MitsubaElement element, MitsubaFiles files, 
     private readonly Dictionary<string, MitsubaElement> _properties = new(StringComparer.Ordinal);
     private readonly List<MitsubaChild> _children = [];
     private readonly HashSet<string> _asked = new(StringComparer.Ordinal);
+    private readonly HashSet<string> _soughtAfter = new(StringComparer.Ordinal);
     private readonly HashSet<MitsubaChild> _taken = [];
     private bool _isFinished;
 
@@ -55,7 +56,11 @@ internal sealed class MitsubaObject(MitsubaElement element, MitsubaFiles files, 
     public void Add(MitsubaChild child) => _children.Add(child);
 
     /// <summary>True where a property is given.</summary>
-    public bool Has(string name) => _properties.ContainsKey(name);
+    public bool Has(string name)
+    {
+        _soughtAfter.Add(name);
+        return _properties.ContainsKey(name);
+    }
 
     /// <summary>The element of a property; null where it is not given.</summary>
     public MitsubaElement? Property(string name)
@@ -216,6 +221,7 @@ internal sealed class MitsubaObject(MitsubaElement element, MitsubaFiles files, 
     /// <summary>Says what nobody has asked for.</summary>
     public void Finish()
     {
+        MitsubaRegistry.Current?.Add(Kind, Type, [.. _asked, .. _soughtAfter]);
         if (_isFinished)
         {
             return;
@@ -241,6 +247,7 @@ internal sealed class MitsubaObject(MitsubaElement element, MitsubaFiles files, 
     /// <summary>Says that its type is none of those that are supported.</summary>
     public void UnknownType(string kinds, params string[] known)
     {
+        MitsubaRegistry.Current?.Add(Kind, known);
         string message = $"{kinds} of type {Quotation.Of(Type)} are not supported";
         string end = MitsubaPlugins.ReasonOf(this) is { } reason ? $": {reason}" : ImportLog.Hint(Type, known);
         log.Unsupported(TypePlace, message + end, MitsubaPlugins.StandInOf(Kind));

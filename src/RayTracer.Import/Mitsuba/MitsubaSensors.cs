@@ -77,14 +77,23 @@ internal sealed class MitsubaSensors(ImportReading reading)
     private CameraDescription Perspective(MitsubaObject sensor)
     {
         CameraDescription camera = Placed(sensor, out _);
-        string? focal = sensor.Text("focal_length");
-        FieldOfViewAxis axis = sensor.Choice("fov_axis", FieldOfViewAxis.Horizontal, s_axes);
-        if (focal is not null || !sensor.Has("fov"))
+        return camera with { FieldOfView = FieldOfView(sensor, out FieldOfViewAxis axis), FieldOfViewAxis = axis };
+    }
+
+    /// <summary>The field of view of a camera or projector.</summary>
+    /// <param name="thing">The camera or projector.</param>
+    /// <param name="axis">The axis over which it is meant.</param>
+    public static float FieldOfView(MitsubaObject thing, out FieldOfViewAxis axis)
+    {
+        string? focal = thing.Text("focal_length");
+        axis = thing.Choice("fov_axis", FieldOfViewAxis.Horizontal, s_axes);
+        if (focal is not null || !thing.Has("fov"))
         {
-            return camera with { FieldOfView = FieldOfView(focal ?? "50mm", sensor), FieldOfViewAxis = FieldOfViewAxis.Diagonal };
+            axis = FieldOfViewAxis.Diagonal;
+            return FieldOfView(focal ?? "50mm", thing);
         }
 
-        return camera with { FieldOfView = sensor.Float("fov", 40, 0.001f, 179), FieldOfViewAxis = axis };
+        return thing.Float("fov", 40, 0.001f, 179);
     }
 
     // The axis meets the film beside its middle: the film is a part of a larger one, whose middle it meets.
@@ -140,12 +149,12 @@ internal sealed class MitsubaSensors(ImportReading reading)
     }
 
     // Of a film of 36 mm × 24 mm, over its diagonal.
-    private float FieldOfView(string focal, MitsubaObject sensor)
+    private static float FieldOfView(string focal, MitsubaObject thing)
     {
         string number = focal.EndsWith("mm", StringComparison.Ordinal) ? focal[..^2] : focal;
         if (!float.TryParse(number, NumberStyles.Float, CultureInfo.InvariantCulture, out float length) || !(length > 0))
         {
-            reading.Log.Error(sensor.PlaceOf("focal_length"), $"expected a focal length such as \"50mm\", but found {Quotation.Of(focal)}");
+            thing.Log.Error(thing.PlaceOf("focal_length"), $"expected a focal length such as \"50mm\", but found {Quotation.Of(focal)}");
             return 40;
         }
 

@@ -1,4 +1,3 @@
-using System.Globalization;
 using RayTracer.Description;
 using RayTracer.Numerics;
 using RayTracer.Scenes;
@@ -9,7 +8,6 @@ namespace RayTracer.Import;
 internal sealed class PbrtDocument
 {
     private const int MaximumIncludes = 15;
-    private const int MaximumNesting = 256;
 
     // Of directives that make a thing, its kind.
     private static readonly Dictionary<string, string> s_things = new(StringComparer.Ordinal)
@@ -37,13 +35,9 @@ internal sealed class PbrtDocument
     private readonly ImportLog _log;
     private readonly PbrtFiles _files;
     private readonly PbrtWorld _world = new();
-    private readonly Stack<(PbrtState State, string Directive, SourcePlace Place)> _saved = [];
-    private readonly Dictionary<string, Transform> _spaces = new(StringComparer.Ordinal);
-    private PbrtState _state = new();
-    private List<PbrtThing>? _object;
-    private bool _isWorld;
+    private readonly PbrtScope _scope;
 
-    private PbrtDocument(PbrtFiles files, ImportLog log) => (_files, _log) = (files, log);
+    private PbrtDocument(PbrtFiles files, ImportLog log) => (_files, _log, _scope) = (files, log, new(log));
 
     /// <summary>Reads a scene.</summary>
     /// <param name="path">The file's path.</param>
@@ -57,30 +51,26 @@ internal sealed class PbrtDocument
         }
 
         PbrtDocument document = new(new(Path.GetDirectoryName(path) ?? ""), log);
-        document.Run(text, 0);
-        foreach ((_, string directive, SourcePlace place) in document._saved)
-        {
-            log.Error(place, $"{directive} has no {directive.Replace("Begin", "End", StringComparison.Ordinal)}");
-        }
-
+        document.Run(new(text, s_known, log), 0);
+        document._scope.Finish();
         return document._world;
     }
 
-    private void Run(PbrtText text, int includes)
+    private void Run(PbrtArguments arguments, int includes)
     {
-        while (text.Next() is { } token)
+        while (arguments.Text.Next() is { } token)
         {
             if (token.IsQuoted || !s_known.Contains(token.Text))
             {
                 string word = token.IsQuoted ? $"\"{token.Text}\"" : token.Text;
                 _log.Unknown(token.Place, $"expected a directive, but found {Quotation.Of(word)}", token.Text, s_known);
-                SkipArguments(text);
+                arguments.Skip();
             }
             else if (PbrtTransforms.Counts.TryGetValue(token.Text, out int count))
             {
-                if (Numbers(text, token, count) is { } numbers)
+                if (arguments.Numbers(token, count) is { } numbers)
                 {
-                    Move(token, numbers);
+                    _scope.Move(token, numbers);
                 }
             }
             else if (s_plain.Contains(token.Text))
@@ -89,21 +79,12 @@ internal sealed class PbrtDocument
             }
             else if (s_things.TryGetValue(token.Text, out string? kind))
             {
-                Place(token, kind, text);
+                Place(token, kind, arguments);
             }
             else
             {
-                Named(token, text, includes);
+                Named(token, arguments, includes);
             }
-        }
-    }
-
-    // What follows an unknown word, up to the next directive.
-    private static void SkipArguments(PbrtText text)
-    {
-        while (text.Peek() is { } next && (next.IsQuoted || !s_known.Contains(next.Text)))
-        {
-            text.Next();
         }
     }
 
@@ -112,22 +93,19 @@ internal sealed class PbrtDocument
         switch (token.Text)
         {
             case "Identity":
-                _state = _state with { Place = Transform.Identity };
+                _scope.State = _scope.State with { Place = Transform.Identity };
                 break;
             case "ReverseOrientation":
-                _state = _state with { IsReversed = !_state.IsReversed };
+                _scope.State = _scope.State with { IsReversed = !_scope.State.IsReversed };
                 break;
             case "AttributeBegin" or "TransformBegin":
-                Save(token);
+                _scope.Save(token);
                 break;
             case "AttributeEnd" or "TransformEnd" or "ObjectEnd":
-                Restore(token);
+                _scope.Restore(token);
                 break;
             case "WorldBegin":
-                _spaces["camera"] = _spaces.GetValueOrDefault("camera", Transform.Identity);
-                _state = _state with { Place = Transform.Identity };
-                _spaces["world"] = Transform.Identity;
-                _isWorld = true;
+                _scope.BeginWorld();
                 break;
             default:
                 // WorldEnd, of earlier versions.
@@ -135,68 +113,30 @@ internal sealed class PbrtDocument
         }
     }
 
-    private void Save(PbrtToken token)
-    {
-        if (_saved.Count == MaximumNesting)
-        {
-            _log.Error(token.Place, $"blocks are nested more than {MaximumNesting} deep");
-        }
-
-        _saved.Push((_state, token.Text, token.Place));
-    }
-
-    private void Restore(PbrtToken token)
-    {
-        string begin = token.Text.Replace("End", "Begin", StringComparison.Ordinal);
-        if (!_saved.TryPeek(out (PbrtState State, string Directive, SourcePlace Place) last) || last.Directive != begin)
-        {
-            string open = last.Directive is null ? "nothing is open" : $"{last.Directive} of line {last.Place.Line} is open";
-            _log.Error(token.Place, $"{token.Text} without {begin}: {open}");
-            return;
-        }
-
-        _saved.Pop();
-        _state = token.Text == "TransformEnd" ? _state with { Place = last.State.Place } : last.State;
-        _object = token.Text == "ObjectEnd" ? null : _object;
-    }
-
-    private void Move(PbrtToken token, float[] numbers)
-    {
-        Transform before = token.Text == "Transform" ? Transform.Identity : _state.Place;
-        if (PbrtTransforms.Of(token.Text, numbers, out string? complaint) is { } map && before * map is { IsInvertible: true } all)
-        {
-            _state = _state with { Place = all };
-        }
-        else
-        {
-            _log.Error(token.Place, complaint ?? "the transform flattens what follows, or has numbers too large or too small to compute with");
-        }
-    }
-
-    private void Named(PbrtToken token, PbrtText text, int includes)
+    private void Named(PbrtToken token, PbrtArguments arguments, int includes)
     {
         if (token.Text is "ActiveTransform")
         {
-            Active(token, text);
+            Active(token, arguments);
         }
         else if (token.Text is "Option")
         {
-            if (Parameter(text) is null)
+            if (arguments.Parameter() is null)
             {
                 _log.Error(token.Place, "Option needs a parameter, such as \"bool disablepixeljitter\" true");
             }
 
             _log.Warn(token.Place, "options say how pbrt works, and have no effect here");
         }
-        else if (Name(token, text) is { } name)
+        else if (arguments.Name(token) is { } name)
         {
-            Named(token, name, text, includes);
+            Named(token, name, arguments, includes);
         }
     }
 
-    private void Active(PbrtToken token, PbrtText text)
+    private void Active(PbrtToken token, PbrtArguments arguments)
     {
-        string which = text.Next()?.Text ?? "";
+        string which = arguments.Text.Next()?.Text ?? "";
         if (which is not ("All" or "StartTime" or "EndTime"))
         {
             _log.Unknown(token.Place, $"expected All, StartTime or EndTime, but found {Quotation.Of(which)}", which, ["All", "StartTime", "EndTime"]);
@@ -207,76 +147,56 @@ internal sealed class PbrtDocument
         }
     }
 
-    private void Named(PbrtToken token, PbrtToken name, PbrtText text, int includes)
+    private void Named(PbrtToken token, PbrtToken name, PbrtArguments arguments, int includes)
     {
         switch (token.Text)
         {
             case "CoordinateSystem":
-                _spaces[name.Text] = _state.Place;
+                _scope.NameSpace(name.Text);
                 break;
             case "CoordSysTransform":
-                if (_spaces.TryGetValue(name.Text, out Transform space))
-                {
-                    _state = _state with { Place = space };
-                }
-                else
-                {
-                    _log.Unknown(name.Place, $"there is no coordinate system {Quotation.Of(name.Text)}", name.Text, _spaces.Keys);
-                }
-
+                _scope.EnterSpace(name);
                 break;
             case "ObjectBegin":
                 BeginObject(token, name);
                 break;
             case "ObjectInstance":
-                AddShape(new("instance", name.Text, token.Place, name.Place, _state, _files, _log));
+                AddShape(new("instance", name.Text, token.Place, name.Place, _scope.State, _files, _log));
                 break;
             case "Include" or "Import":
                 Include(token, name, includes);
                 break;
             case "ColorSpace":
-                SetColorSpace(name);
+                _scope.SetColorSpace(name);
                 break;
             case "NamedMaterial":
-                _state = _state with { Material = null, MaterialName = name.Text, MaterialPlace = name.Place };
+                _scope.State = _scope.State with { Material = null, MaterialName = name.Text, MaterialPlace = name.Place };
                 break;
             case "MediumInterface":
-                _state = _state with { Inside = name.Text, Outside = text.Peek() is { IsQuoted: true } ? text.Next()!.Value.Text : name.Text };
+                _scope.State = _scope.State with { Inside = name.Text, Outside = arguments.Text.Peek() is { IsQuoted: true } ? arguments.Text.Next()!.Value.Text : name.Text };
                 break;
             case "Attribute":
-                AddAttributes(name, text);
+                AddAttributes(name, arguments);
                 break;
             case "Texture":
-                MakeTexture(token, name, text);
+                MakeTexture(token, name, arguments);
                 break;
             default:
-                Make(token, name, text);
+                Make(token, name, arguments);
                 break;
-        }
-    }
-
-    private void SetColorSpace(PbrtToken name)
-    {
-        if (PbrtColors.Spaces.Contains(name.Text))
-        {
-            _state = _state with { ColorSpace = name.Text };
-        }
-        else
-        {
-            _log.Unsupported(name.Place, $"the colour space {Quotation.Of(name.Text)} is not supported{ImportLog.Hint(name.Text, PbrtColors.Spaces)}", "numbers are taken for linear sRGB");
         }
     }
 
     private void BeginObject(PbrtToken token, PbrtToken name)
     {
-        if (_object is not null)
+        if (_scope.Object is not null)
         {
             _log.Error(token.Place, "an object cannot hold another one");
         }
 
-        Save(token);
-        _object = [];
-        if (!_world.Objects.TryAdd(name.Text, _object))
+        _scope.Save(token);
+        _scope.Object = [];
+        if (!_world.Objects.TryAdd(name.Text, _scope.Object))
         {
             _log.Error(name.Place, $"the object {Quotation.Of(name.Text)} is defined twice");
         }
@@ -290,17 +210,17 @@ internal sealed class PbrtDocument
             return;
         }
 
-        PbrtState before = _state;
+        PbrtState before = _scope.State;
         if (PbrtText.Open(_files.Resolve(name.Text), name.Place, $"cannot include {Quotation.Of(name.Text)}: ", _log) is { } inner)
         {
-            Run(inner, includes + 1);
+            Run(new(inner, s_known, _log), includes + 1);
         }
 
         // What an imported file sets holds for itself only.
-        _state = token.Text == "Import" ? before : _state;
+        _scope.State = token.Text == "Import" ? before : _scope.State;
     }
 
-    private void AddAttributes(PbrtToken target, PbrtText text)
+    private void AddAttributes(PbrtToken target, PbrtArguments arguments)
     {
         string[] targets = ["shape", "light", "material", "medium", "texture"];
         if (!targets.Contains(target.Text))
@@ -308,15 +228,15 @@ internal sealed class PbrtDocument
             _log.Unknown(target.Place, $"attributes are given to shapes, lights, materials, media or textures, not to {Quotation.Of(target.Text)}", target.Text, targets);
         }
 
-        while (Parameter(text) is { } parameter)
+        while (arguments.Parameter() is { } parameter)
         {
-            _state = _state with { Attributes = _state.Attributes.RemoveAll(a => a.Kind == target.Text && a.Parameter.Name == parameter.Name).Add((target.Text, parameter)) };
+            _scope.State = _scope.State with { Attributes = _scope.State.Attributes.RemoveAll(a => a.Kind == target.Text && a.Parameter.Name == parameter.Name).Add((target.Text, parameter)) };
         }
     }
 
-    private void MakeTexture(PbrtToken token, PbrtToken name, PbrtText text)
+    private void MakeTexture(PbrtToken token, PbrtToken name, PbrtArguments arguments)
     {
-        if (Name(token, text) is not { } of || Name(token, text) is not { } type)
+        if (arguments.Name(token) is not { } of || arguments.Name(token) is not { } type)
         {
             return;
         }
@@ -326,7 +246,7 @@ internal sealed class PbrtDocument
             _log.Unknown(of.Place, $"a texture is of float or spectrum, not of {Quotation.Of(of.Text)}", of.Text, ["float", "spectrum"]);
         }
 
-        PbrtThing made = Thing("texture", token, type, text);
+        PbrtThing made = Thing("texture", token, type, arguments);
         if (!_world.Textures.TryAdd((of.Text, name.Text), made))
         {
             _log.Error(name.Place, $"the texture {Quotation.Of(name.Text)} is defined twice");
@@ -334,11 +254,11 @@ internal sealed class PbrtDocument
     }
 
     // What has a name, and says its type by a parameter.
-    private void Make(PbrtToken token, PbrtToken name, PbrtText text)
+    private void Make(PbrtToken token, PbrtToken name, PbrtArguments arguments)
     {
         string kind = token.Text == "MakeNamedMedium" ? "medium" : "material";
         List<PbrtParameter> parameters = [];
-        while (Parameter(text) is { } parameter)
+        while (arguments.Parameter() is { } parameter)
         {
             parameters.Add(parameter);
         }
@@ -350,7 +270,7 @@ internal sealed class PbrtDocument
             return;
         }
 
-        PbrtThing made = new(kind, type.Words[0], token.Place, type.Place, _state, _files, _log);
+        PbrtThing made = new(kind, type.Words[0], token.Place, type.Place, _scope.State, _files, _log);
         made.Ignore("type");
         parameters.ForEach(made.Add);
         Inherit(made, kind);
@@ -360,14 +280,14 @@ internal sealed class PbrtDocument
         }
     }
 
-    private void Place(PbrtToken token, string kind, PbrtText text)
+    private void Place(PbrtToken token, string kind, PbrtArguments arguments)
     {
-        if (Name(token, text) is not { } type)
+        if (arguments.Name(token) is not { } type)
         {
             return;
         }
 
-        PbrtThing thing = Thing(kind, token, type, text);
+        PbrtThing thing = Thing(kind, token, type, arguments);
         switch (kind)
         {
             case "shape":
@@ -378,10 +298,10 @@ internal sealed class PbrtDocument
                 _world.Lights.Add(thing);
                 break;
             case "area light":
-                _state = _state with { Light = thing };
+                _scope.State = _scope.State with { Light = thing };
                 break;
             case "material":
-                _state = _state with { Material = thing, MaterialName = "" };
+                _scope.State = _scope.State with { Material = thing, MaterialName = "" };
                 break;
             case "accelerator":
                 break;
@@ -393,7 +313,7 @@ internal sealed class PbrtDocument
 
     private void AddOnly(PbrtThing thing)
     {
-        if (_isWorld)
+        if (_scope.IsWorld)
         {
             _log.Error(thing.Place, $"the {thing.Kind} must stand before WorldBegin");
         }
@@ -405,33 +325,33 @@ internal sealed class PbrtDocument
 
         if (thing.Kind == "camera")
         {
-            _spaces["camera"] = _state.Place.Inverse();
+            _scope.NameCamera();
         }
     }
 
     private void AddShape(PbrtThing thing)
     {
         CheckWorld(thing);
-        if (thing.Kind == "instance" && _object is not null)
+        if (thing.Kind == "instance" && _scope.Object is not null)
         {
             _log.Error(thing.Place, "an object cannot hold an instance");
         }
 
-        (_object ?? _world.Shapes).Add(thing);
+        (_scope.Object ?? _world.Shapes).Add(thing);
     }
 
     private void CheckWorld(PbrtThing thing)
     {
-        if (!_isWorld)
+        if (!_scope.IsWorld)
         {
             _log.Error(thing.Place, $"a {thing.Kind} must stand after WorldBegin");
         }
     }
 
-    private PbrtThing Thing(string kind, PbrtToken token, PbrtToken type, PbrtText text)
+    private PbrtThing Thing(string kind, PbrtToken token, PbrtToken type, PbrtArguments arguments)
     {
-        PbrtThing thing = new(kind, type.Text, token.Place, type.Place, _state, _files, _log);
-        while (Parameter(text) is { } parameter)
+        PbrtThing thing = new(kind, type.Text, token.Place, type.Place, _scope.State, _files, _log);
+        while (arguments.Parameter() is { } parameter)
         {
             thing.Add(parameter);
         }
@@ -442,70 +362,9 @@ internal sealed class PbrtDocument
 
     private void Inherit(PbrtThing thing, string kind)
     {
-        foreach ((_, PbrtParameter parameter) in _state.Attributes.Where(a => a.Kind == kind))
+        foreach ((_, PbrtParameter parameter) in _scope.State.Attributes.Where(a => a.Kind == kind))
         {
             thing.Inherit(parameter);
         }
-    }
-
-    private PbrtToken? Name(PbrtToken token, PbrtText text)
-    {
-        if (text.Peek() is { IsQuoted: true })
-        {
-            return text.Next();
-        }
-
-        _log.Error(text.Peek()?.Place ?? text.Place, $"{token.Text} needs a name in quotation marks, but found {(text.Peek() is { } other ? Quotation.Of(other.Text) : "the end of the file")}");
-        SkipArguments(text);
-        return null;
-    }
-
-    private PbrtParameter? Parameter(PbrtText text)
-    {
-        while (text.Peek() is { IsQuoted: true } declaration)
-        {
-            text.Next();
-            if (new PbrtValues(_log).Read(declaration, text) is { } parameter)
-            {
-                return parameter;
-            }
-        }
-
-        return null;
-    }
-
-    private float[]? Numbers(PbrtText text, PbrtToken token, int count)
-    {
-        bool isBracketed = text.Peek()?.Is("[") == true;
-        if (isBracketed)
-        {
-            text.Next();
-        }
-
-        float[] numbers = new float[count];
-        for (int i = 0; i < count; i++)
-        {
-            if (text.Peek() is not { IsQuoted: false } word || !float.TryParse(word.Text, NumberStyles.Float, CultureInfo.InvariantCulture, out numbers[i]) || !float.IsFinite(numbers[i]))
-            {
-                string found = text.Peek() is { } other ? Quotation.Of(other.Text) : "the end of the file";
-                _log.Error(text.Peek()?.Place ?? text.Place, $"{token.Text} needs {count} numbers, but after {i} of them there is {found}");
-                SkipArguments(text);
-                return null;
-            }
-
-            text.Next();
-        }
-
-        if (isBracketed && text.Peek()?.Is("]") == true)
-        {
-            text.Next();
-        }
-        else if (isBracketed)
-        {
-            _log.Error(text.Peek()?.Place ?? text.Place, $"expected ] after the {count} numbers of {token.Text}");
-            SkipArguments(text);
-        }
-
-        return numbers;
     }
 }

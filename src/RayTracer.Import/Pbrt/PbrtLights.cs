@@ -13,7 +13,7 @@ namespace RayTracer.Import;
 /// <param name="exposure">The factor of the film on all light: the imaging ratio.</param>
 internal sealed class PbrtLights(ImportReading reading, float exposure)
 {
-    private static readonly string[] s_types = ["point", "spot", "distant", "infinite"];
+    private static readonly string[] s_types = ["point", "spot", "projection", "distant", "infinite"];
 
     private readonly Dictionary<PbrtThing, Rgb> _radiances = [];
 
@@ -69,6 +69,7 @@ internal sealed class PbrtLights(ImportReading reading, float exposure)
         {
             "point" => Point(light),
             "spot" => Spot(light),
+            "projection" => Projection(light),
             "distant" => Distant(light),
             _ => null,
         };
@@ -181,6 +182,31 @@ internal sealed class PbrtLights(ImportReading reading, float exposure)
             CutoffAngle = cone,
             BeamWidth = beam,
             Falloff = SpotFalloff.Smoothstep,
+        };
+    }
+
+    // A picture of what goes into each direction: of z its middle, and upright where y is upwards. x is to its right, and space is left-handed unless it is mirrored.
+    private ProjectorLightDescription Projection(PbrtThing light)
+    {
+        Transform place = light.State.Place;
+        light.Refuse("power", "a projection cannot be given a power here, which depends on its picture: \"scale\" says how strong it is", "\"scale\" alone counts");
+        float scale = light.Float("scale", 1, 0) * exposure;
+        ImageTextureDescription picture = new() { File = light.FileName() ?? "", Interpolation = Interpolation.Nearest, Wrapping = Wrapping.Clamp };
+        if (place.Determinant > 0)
+        {
+            picture = picture with { Scale = new(-1, 1), Offset = new(1, 0) };
+        }
+
+        return new()
+        {
+            Position = place.Point(Vector3.Zero),
+            Direction = place.Vector(Vector3.UnitZ).Unit(),
+            Up = place.Vector(Vector3.UnitY).Unit(),
+            Picture = picture.File.Length > 0 ? reading.At(light.Place, picture) : MaterialTextures.Solid(0),
+            Intensity = new(scale, scale, scale),
+            FieldOfView = light.Float("fov", 90, 0.001f, 179),
+            FieldOfViewAxis = FieldOfViewAxis.Smaller,
+            EvenOnWalls = false,
         };
     }
 

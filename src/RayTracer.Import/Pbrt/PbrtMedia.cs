@@ -7,7 +7,10 @@ using RayTracer.Numerics;
 namespace RayTracer.Import;
 
 /// <summary>Fills shapes.</summary>
-internal sealed class PbrtMedia(ImportReading reading, PbrtWorld world)
+/// <param name="reading">Takes what is wrong.</param>
+/// <param name="world">The things of the scene.</param>
+/// <param name="exposure">The factor of the film on all light: the imaging ratio.</param>
+internal sealed class PbrtMedia(ImportReading reading, PbrtWorld world, float exposure)
 {
     private static readonly string[] s_types = ["homogeneous", "uniformgrid", "nanovdb"];
 
@@ -69,7 +72,7 @@ internal sealed class PbrtMedia(ImportReading reading, PbrtWorld world)
         return made;
     }
 
-    private static MediumDescription Make(PbrtThing medium)
+    private MediumDescription Make(PbrtThing medium)
     {
         if (!s_types.Contains(medium.Type))
         {
@@ -77,9 +80,9 @@ internal sealed class PbrtMedia(ImportReading reading, PbrtWorld world)
             return new();
         }
 
-        medium.Refuse("Le", "media that shine are not supported", "it does not shine");
         medium.Refuse("preset", "the named media of pbrt are not read: \"sigma_a\" and \"sigma_s\" say what they are");
-        medium.Ignore("Lescale", "temperaturecutoff", "temperaturescale", "temperatureoffset");
+        medium.Refuse("temperature", "temperatures of media are not read: of what shines, one colour is (\"Le\")", "it does not shine");
+        medium.Ignore("temperaturecutoff", "temperaturescale", "temperatureoffset");
         float scale = medium.Float("scale", 1, 0);
         Rgb absorption = PbrtColors.Read(medium, "sigma_a", Rgb.White) * scale;
         Rgb scattering = PbrtColors.Read(medium, "sigma_s", Rgb.White) * scale;
@@ -89,8 +92,28 @@ internal sealed class PbrtMedia(ImportReading reading, PbrtWorld world)
             Extinction = extinction,
             Albedo = new(Part(scattering.R, extinction.R), Part(scattering.G, extinction.G), Part(scattering.B, extinction.B)),
             Anisotropy = medium.Float("g", 0, -0.99f, 0.99f),
+            Emission = absorption * Emission(medium),
             Density = medium.Type switch { "uniformgrid" => Grid(medium), "nanovdb" => File(medium), _ => null },
         };
+    }
+
+    // For each unit of length, what is absorbed of a radiance: pbrt's media shine like bodies of that radiance.
+    private Rgb Emission(PbrtThing medium)
+    {
+        Rgb radiance = PbrtColors.Read(medium, "Le", Rgb.Black, isLight: true);
+        if (medium.Parameter("Lescale") is { Numbers.Count: > 1 } grid)
+        {
+            medium.Log.Unsupported(grid.Place, "grids of \"Lescale\" are not read: one number is", "it does not shine");
+            return Rgb.Black;
+        }
+
+        if (!radiance.IsBlack && medium.Type == "homogeneous")
+        {
+            medium.Log.Unsupported(medium.PlaceOf("Le"), "even media that shine are not supported: grids are", "it does not shine");
+            radiance = Rgb.Black;
+        }
+
+        return radiance * (medium.Float("Lescale", 1, 0) * exposure);
     }
 
     private static float Part(float scattering, float extinction) => extinction > 0 ? float.Min(scattering / extinction, 1) : 0;

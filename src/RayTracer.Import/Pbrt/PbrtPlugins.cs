@@ -6,7 +6,6 @@ internal static class PbrtPlugins
     /// <summary>The reasons.</summary>
     public static IReadOnlyDictionary<(string Kind, string Type), string> Refused { get; } = """
         shape curve: curves are not rendered
-        shape loopsubdiv: a mesh of the subdivided surface is
         material hair: there are no curves that it could cover
         material measured: measured tables are not read
         material subsurface: "dielectric" with a medium inside is
@@ -18,8 +17,7 @@ internal static class PbrtPlugins
         texture marble: it depends on pbrt's own noise
         texture ptex: files of Ptex are not read
         texture directionmix: nothing here depends on a direction
-        light goniometric: lights with pictures are not read
-        light projection: lights with pictures are not read
+        light goniometric: pictures in pbrt's equal-area mapping of directions are not read
         medium rgbgrid: of grids, those of densities are read ("uniformgrid", "nanovdb")
         medium cloud: it depends on pbrt's own noise
         camera realistic: lenses of several glasses are not simulated

@@ -19,10 +19,11 @@ internal sealed class PbrtScene(ImportReading reading, PbrtWorld world)
 
         SceneDescription scene = new();
         FilmRead film = films.Read(scene.Render with { ShadingNormals = ShadingNormals.Literal });
-        PbrtLights lights = new(reading, open * films.Sensitivity);
+        float exposure = open * films.Sensitivity;
+        PbrtLights lights = new(reading, exposure);
         PbrtTextures textures = new(reading, world);
         PbrtMaterials materials = new(reading, world, textures);
-        PbrtMedia media = new(reading, world);
+        PbrtMedia media = new(reading, world, exposure);
         PbrtShapes shapes = new(reading, world, textures, materials, media, lights);
         textures.ReadAll();
         materials.ReadAll();

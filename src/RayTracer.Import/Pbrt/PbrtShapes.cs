@@ -10,7 +10,7 @@ namespace RayTracer.Import;
 /// <summary>Makes shapes: which they are, what they are made of, and whether they shine.</summary>
 internal sealed class PbrtShapes(ImportReading reading, PbrtWorld world, PbrtTextures textures, PbrtMaterials materials, PbrtMedia media, PbrtLights lights)
 {
-    private static readonly string[] s_types = ["sphere", "disk", "cylinder", "trianglemesh", "plymesh", "bilinearmesh"];
+    private static readonly string[] s_types = ["sphere", "disk", "cylinder", "trianglemesh", "plymesh", "bilinearmesh", "loopsubdiv"];
 
     // Takes our sphere, around which u = 0 faces −z and whose pole is y, to theirs: pole z, and u = 0 at x.
     private static readonly Transform s_upright = new(new(0, 0, -1, 0), new(-1, 0, 0, 0), new(0, 1, 0, 0));
@@ -65,6 +65,7 @@ internal sealed class PbrtShapes(ImportReading reading, PbrtWorld world, PbrtTex
             "sphere" or "disk" or "cylinder" => Quadric(shape, material, light),
             "trianglemesh" => PbrtMeshes.Triangles(shape),
             "bilinearmesh" => PbrtMeshes.Patches(shape),
+            "loopsubdiv" => PbrtMeshes.Subdivided(shape),
             _ => PbrtMeshes.File(shape),
         };
         shape.Finish();
@@ -286,23 +287,18 @@ internal static class PbrtMeshes
     /// <summary>Patches between four corners each: bilinear surfaces.</summary>
     public static MeshDescription? Patches(PbrtThing shape)
     {
-        if (shape.Has("N") || shape.Has("emissionfilename"))
-        {
-            string which = shape.Has("emissionfilename") ? "emissionfilename" : "N";
-            shape.Ignore("N", "emissionfilename");
-            shape.Log.Unsupported(shape.PlaceOf(which), $"{Quotation.Of(which)} of a bilinearmesh is not read", "it is ignored");
-        }
-
+        shape.Refuse("emissionfilename", "a picture that a bilinearmesh sends (\"emissionfilename\") is not read");
         (Vector3[] points, int[] indices) = (shape.Vectors("P", "point3"), shape.Integers("indices"));
         Vector2[] places = shape.Pairs("uv");
+        Vector3[] given = shape.Vectors("N", "normal3");
         indices = indices.Length == 0 && !shape.Has("indices") && points.Length == 4 ? [0, 1, 2, 3] : indices;
-        if (!IsWhole(shape, points, indices, 4, 0, places.Length))
+        if (!IsWhole(shape, points, indices, 4, given.Length, places.Length))
         {
             return null;
         }
 
         MeshDescription[] patches = [.. indices.Chunk(4).Select(p => Patch(
-            points[p[0]], points[p[1]], points[p[2]], points[p[3]], places.Length > 0 ? [.. p.Select(i => places[i])] : s_corners))];
+            points[p[0]], points[p[1]], points[p[2]], points[p[3]], places.Length > 0 ? [.. p.Select(i => places[i])] : s_corners, given.Length > 0 ? [.. p.Select(i => given[i])] : []))];
         (List<Vector3> all, List<Vector2> uv, List<Vector3> normals, List<TriangleIndices> triangles) = ([], [], [], []);
         foreach (MeshDescription patch in patches)
         {
@@ -313,7 +309,33 @@ internal static class PbrtMeshes
             triangles.AddRange(patch.Triangles.Select(t => new TriangleIndices(first + t.A, first + t.B, first + t.C)));
         }
 
+        if (given.Length > 0)
+        {
+            (Vector3[] at, Vector3[] towards) = ([.. all], [.. normals]);
+            triangles = [.. triangles.Select(t => Facing(t, at, towards))];
+        }
+
         return new() { Positions = all, Triangles = triangles, Normals = normals, Uv = uv, FlipNormals = shape.State.IsReversed };
+    }
+
+    /// <summary>Triangles that Loop's rules make fine and round. pbrt's normals of these look the other way: around each corner it goes clockwise.</summary>
+    public static MeshDescription? Subdivided(PbrtThing shape)
+    {
+        (Vector3[] points, int[] indices) = (shape.Vectors("P", "point3"), shape.Integers("indices"));
+        int levels = shape.Integer("levels", 3, 0);
+        if (shape.Text("scheme") is { } scheme and not "loop")
+        {
+            shape.Log.Unknown(shape.PlaceOf("scheme"), $"surfaces are subdivided by \"loop\", not by {Quotation.Of(scheme)}", scheme, ["loop"]);
+        }
+
+        return !IsWhole(shape, points, indices, 3, 0, 0) ? null : new()
+        {
+            Positions = points,
+            Triangles = [.. indices.Chunk(3).Select(t => new TriangleIndices(t[0], t[1], t[2]))],
+            Refinement = new() { Subdivide = int.Min(levels, 10), Scheme = SubdivisionScheme.Loop },
+            Shading = MeshShading.Smooth,
+            FlipNormals = !shape.State.IsReversed,
+        };
     }
 
     /// <summary>The mesh of a PLY file.</summary>
@@ -325,18 +347,20 @@ internal static class PbrtMeshes
     }
 
     // Corners: at (0, 0), (1, 0), (0, 1) and (1, 1). What a texture asks for lies between those of the corners as the points do.
-    private static MeshDescription Patch(Vector3 a, Vector3 b, Vector3 c, Vector3 d, Vector2[] places)
+    private static MeshDescription Patch(Vector3 a, Vector3 b, Vector3 c, Vector3 d, Vector2[] places, Vector3[] given)
     {
-        bool isFlat = (a - b - c + d).Norm() <= 1e-5f * ((b - a).Norm() + (c - a).Norm()) && places[0] - places[1] - places[2] + places[3] == Vector2.Zero;
+        bool isFlat = (given.Length == 0 || given.Distinct().Count() == 1) && (a - b - c + d).Norm() <= 1e-5f * ((b - a).Norm() + (c - a).Norm()) && places[0] - places[1] - places[2] + places[3] == Vector2.Zero;
         int steps = isFlat ? 1 : PatchSteps;
         MeshDescription patch = GridMesh.Create(steps, steps, (u, v) =>
         {
             Vector3 alongU = ((1 - v) * (b - a)) + (v * (d - c));
             Vector3 alongV = ((1 - u) * (c - a)) + (u * (d - b));
-            Vector3 normal = alongU.Cross(alongV).Unit();
+            Vector3 normal = given.Length == 0 ? alongU.Cross(alongV).Unit() : Between(given, u, v).Unit();
             return (((1 - v) * (((1 - u) * a) + (u * b))) + (v * (((1 - u) * c) + (u * d))), normal.IsFinite() ? normal : Vector3.UnitZ);
         });
         return patch with { Uv = [.. patch.Uv.Select(At)] };
+
+        static Vector3 Between(Vector3[] n, float u, float v) => ((1 - v) * (((1 - u) * n[0]) + (u * n[1]))) + (v * (((1 - u) * n[2]) + (u * n[3])));
 
         Vector2 At(Vector2 place) =>
             ((1 - place.Y) * (((1 - place.X) * places[0]) + (place.X * places[1]))) + (place.Y * (((1 - place.X) * places[2]) + (place.X * places[3])));

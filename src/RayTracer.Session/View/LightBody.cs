@@ -153,6 +153,7 @@ internal sealed record LightPose(
             SpotLightDescription spot => new(
                 value.Pointer, "spot", space, middle, space.Vector(spot.Direction).Unit(), spot.CutoffAngle, spot.BeamWidth ?? (0.75f * spot.CutoffAngle)),
             DirectionalLightDescription sun => new(value.Pointer, "directional", space, null, space.Vector(sun.Direction).Unit()),
+            ProjectorLightDescription projector => new(value.Pointer, "spot", space, middle, space.Vector(projector.Direction).Unit()),
             PunctualLightDescription => new(value.Pointer, "point", space, middle),
             _ => new(value.Pointer, "area", space, middle, Radius: value.Number("radius") * space.Vector(Vector3.UnitX).Norm()),
         };

@@ -1,5 +1,6 @@
 using RayTracer.Numerics;
 using RayTracer.Shapes;
+using RayTracer.Textures;
 
 namespace RayTracer.Description;
 
@@ -47,7 +48,26 @@ internal sealed class MeshMender(SceneBuilder builder)
             builder.Warn(mesh, null, $"{Name(mesh)}: {report}");
         }
 
-        return data;
+        return data.TriangleCount > 0 && IsRefined(wanted, mesh) ? Refined(wanted, mesh, data) : data;
+    }
+
+    // Creases matter to what is smooth, too: but not where a mesh has normals of its own.
+    private static bool IsRefined(MeshDescription wanted, MeshDescription mesh) => wanted.Refinement.MovesCorners
+        || (wanted.Shading == MeshShading.Smooth && wanted.Refinement.CreaseAngle < 180 && (mesh.Data is { } data ? data.Normals is null : mesh.Normals.Count == 0));
+
+    private MeshData? Refined(MeshDescription wanted, MeshDescription mesh, MeshData data)
+    {
+        RefinementDescription refinement = wanted.Refinement;
+        Texture? displacement = refinement.Displace is { } texture ? builder.NumberTexture(texture) : null;
+        (long bytes, long triangles) = MeshRefiner.Cost(data, refinement);
+        if (builder.Budget.TakeWork($"a mesh of {triangles} triangles", bytes, triangles * SceneBudget.StepsPerTriangle) is { } complaint)
+        {
+            builder.Error(wanted, nameof(MeshDescription.Refinement), complaint);
+            return null;
+        }
+
+        // What was without area, or becomes so, is no fault of the scene's.
+        return MeshDoctor.Mend(MeshRefiner.Refine(data, refinement, displacement, wanted.Shading == MeshShading.Flat), out _);
     }
 
     private static MeshData Inline(MeshDescription mesh) => new([.. mesh.Positions], [.. mesh.Triangles.SelectMany(t => new[] { t.A, t.B, t.C })])
@@ -56,6 +76,7 @@ internal sealed class MeshMender(SceneBuilder builder)
         Uv = mesh.Uv.Count > 0 ? [.. mesh.Uv] : null,
         Colors = mesh.Colors.Count > 0 ? [.. mesh.Colors.Select(c => new Rgb(c.X, c.Y, c.Z))] : null,
         MaterialOfTriangle = mesh.MaterialOfTriangle.Count > 0 ? [.. mesh.MaterialOfTriangle] : null,
+        FaceOfTriangle = mesh.FaceOfTriangle.Count > 0 ? [.. mesh.FaceOfTriangle] : null,
     };
 
     /// <summary>The name of a mesh in messages.</summary>

@@ -28,6 +28,9 @@ internal sealed class SceneAssembler(SceneBuilder builder)
     // The objects that instances show, by the material that they are shown in, or themselves where they keep theirs.
     private readonly Dictionary<ShapeDescription, Dictionary<object, SpaceContents>> _objects = new(ReferenceEqualityComparer.Instance);
     private readonly MeshMender _mender = new(builder);
+
+    // Whose meshes are being added; null outside of models.
+    private ModelDescription? _model;
     private readonly HashSet<ImportedModel> _noted = new(ReferenceEqualityComparer.Instance);
     private readonly Dictionary<(Material Material, string Group), Material> _grouped = [];
     private LightGroupLabel? _label;
@@ -216,7 +219,7 @@ internal sealed class SceneAssembler(SceneBuilder builder)
         light.Check(place, builder);
         if (builder.Complaints.Count == before)
         {
-            target.Lights.Add(new(light, Motion.Still(place), _label));
+            target.Lights.Add(new(light, Motion.Still(place), _label, light.BuildPicture(builder)));
         }
     }
 
@@ -290,8 +293,14 @@ internal sealed class SceneAssembler(SceneBuilder builder)
             return;
         }
 
-        AddTriangles(mesh, mesh, place, target);
+        AddTriangles(_model is null ? mesh : AsWanted(mesh, _model), mesh, place, target);
     }
+
+    private static MeshDescription AsWanted(MeshDescription mesh, ModelDescription model) => mesh with
+    {
+        Shading = model.Smooth && mesh.Shading == MeshShading.Own ? MeshShading.Smooth : mesh.Shading,
+        Refinement = model.Refinement,
+    };
 
     // Only the triangles of a file, made of what the mesh says.
     private void AddMeshesOf(MeshDescription parent, IEnumerable<ShapeDescription> shapes, Motion outer, SpaceContents target, ref int parts)
@@ -389,6 +398,8 @@ internal sealed class SceneAssembler(SceneBuilder builder)
         }
 
         SceneDescription scene = ModelPlayback.Of(model, imported, builder);
+        ModelDescription? outer = _model;
+        _model = model;
         using (builder.Within(model, nameof(ModelDescription.File)))
         using (builder.InheritNothing(builder.ReplacementBy(model.Material)))
         {
@@ -398,5 +409,7 @@ internal sealed class SceneAssembler(SceneBuilder builder)
                 Add(shape, still, target);
             }
         }
+
+        _model = outer;
     }
 }

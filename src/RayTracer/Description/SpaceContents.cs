@@ -2,6 +2,7 @@ using RayTracer.Lights;
 using RayTracer.Materials;
 using RayTracer.Numerics;
 using RayTracer.Shapes;
+using RayTracer.Textures;
 
 namespace RayTracer.Description;
 
@@ -74,4 +75,5 @@ internal sealed record PlacedSpace(SpaceContents Contents, Motion Motion, ShapeD
 /// <param name="Light">The light's description, found free of faults.</param>
 /// <param name="Motion">The place of its own space over time.</param>
 /// <param name="Label">The label of its light.</param>
-internal sealed record PlacedLight(PunctualLightDescription Light, Motion Motion, LightGroupLabel? Label);
+/// <param name="Picture">The picture through which it shines; null where there is none.</param>
+internal sealed record PlacedLight(PunctualLightDescription Light, Motion Motion, LightGroupLabel? Label, Texture? Picture);

@@ -170,7 +170,7 @@ internal abstract unsafe class InteriorShader(ShaderContext context) : SurfaceSh
             _flights!.Add(track, meets);
         }
 
-        _flights!.Track(medium, stream, (uint)Scene.World.Count + 1u);
+        _flights!.Track(medium, stream, (uint)Scene.World.Count + 1u, Observer);
     }
 
     private void SampleMedium(PathStream stream, int i, in UIntW media, in MaskW inside)

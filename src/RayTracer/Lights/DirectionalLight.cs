@@ -2,6 +2,7 @@ using System.Numerics;
 using RayTracer.Description;
 using RayTracer.Numerics;
 using RayTracer.Shapes;
+using RayTracer.Textures;
 
 namespace RayTracer.Lights;
 
@@ -32,7 +33,7 @@ public sealed record DirectionalLightDescription : PunctualLightDescription
     }
 
     /// <inheritdoc/>
-    public override LightSource Create(Motion motion) => new DirectionalLight(Direction, Irradiance, motion);
+    public override LightSource Create(Motion motion, Texture? picture) => new DirectionalLight(Direction, Irradiance, motion);
 }
 
 /// <summary>Light from infinitely far away, along one direction.</summary>

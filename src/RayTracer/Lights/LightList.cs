@@ -77,7 +77,7 @@ internal static class LightList
 
     private static LightSource Punctual(PlacedLight placed)
     {
-        LightSource light = placed.Light.Create(placed.Motion);
+        LightSource light = placed.Light.Create(placed.Motion, placed.Picture);
         light.Label = placed.Label;
         return light;
     }

@@ -3,6 +3,7 @@ using RayTracer.Description;
 using RayTracer.Numerics;
 using RayTracer.Sampling;
 using RayTracer.Shapes;
+using RayTracer.Textures;
 
 namespace RayTracer.Lights;
 
@@ -37,7 +38,7 @@ public sealed record PointLightDescription : PunctualLightDescription
     }
 
     /// <inheritdoc/>
-    public override LightSource Create(Motion motion) => new PointLight(Position, Intensity, motion);
+    public override LightSource Create(Motion motion, Texture? picture) => new PointLight(Position, Intensity, motion);
 }
 
 /// <summary>A light at a point that shines alike in all directions.</summary>

@@ -2,6 +2,7 @@ using System.Numerics;
 using RayTracer.Description;
 using RayTracer.Numerics;
 using RayTracer.Shapes;
+using RayTracer.Textures;
 
 namespace RayTracer.Lights;
 
@@ -28,9 +29,14 @@ public abstract record PunctualLightDescription : ShapeDescription
         }
     }
 
+    /// <summary>The picture through which it shines; null where there is none.</summary>
+    /// <param name="builder">Builds textures and takes the diagnostics.</param>
+    public virtual Texture? BuildPicture(SceneBuilder builder) => null;
+
     /// <summary>The light, once <see cref="Check"/> found nothing wrong.</summary>
     /// <param name="motion">The motion of its space in the world.</param>
-    public abstract LightSource Create(Motion motion);
+    /// <param name="picture">What <see cref="BuildPicture"/> returned.</param>
+    public abstract LightSource Create(Motion motion, Texture? picture);
 
     /// <summary>Reports it where a position is moved too far away.</summary>
     protected void CheckPosition(string property, Vector3 position, in Transform place, SceneBuilder builder)
@@ -38,6 +44,15 @@ public abstract record PunctualLightDescription : ShapeDescription
         if (!place.Point(position).IsFinite())
         {
             builder.Error(this, property, "the transform moves the light to numbers too large to compute with");
+        }
+    }
+
+    /// <summary>Reports it where a direction upwards leaves open which way a picture is turned.</summary>
+    protected void CheckUp(string property, Vector3 direction, Vector3 up, SceneBuilder builder)
+    {
+        if (!direction.Unit().Cross(up.Unit()).Unit().IsFinite())
+        {
+            builder.Error(this, property, $"{Quotation.Of(RecordType.Of(GetType()).Parameters.First(p => p.PropertyName == property).Key)} must not be zero or parallel to the light's direction");
         }
     }
 

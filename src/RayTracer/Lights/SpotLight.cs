@@ -3,6 +3,7 @@ using RayTracer.Description;
 using RayTracer.Numerics;
 using RayTracer.Sampling;
 using RayTracer.Shapes;
+using RayTracer.Textures;
 
 namespace RayTracer.Lights;
 
@@ -41,6 +42,14 @@ public sealed record SpotLightDescription : PunctualLightDescription
         + "lights do, by the square of a number that falls with the angle's cosine; or, as pbrt's do, by a smooth step of that number.")]
     public SpotFalloff Falloff { get; init; }
 
+    /// <summary>A picture that colours its light; null for none.</summary>
+    [Parameter("A picture that colours its light: a texture, of which what lies between 0 and 1 in uv is a square around the cone, as seen by somebody who stands behind the light.")]
+    public TextureDescription? Picture { get; init; }
+
+    /// <summary>What is upwards in the picture.</summary>
+    [Parameter("What is upwards in the picture, roughly.")]
+    public Vector3 PictureUp { get; init; } = new(0, 0, -1);
+
     /// <inheritdoc/>
     public override Vector3 Middle => Position;
 
@@ -49,7 +58,7 @@ public sealed record SpotLightDescription : PunctualLightDescription
         this with { Position = view.At(view.Above), Direction = -view.Above.Unit(), Intensity = view.Intensity, CutoffAngle = 30 };
 
     /// <inheritdoc/>
-    public override ShapeDescription Moved(in ShapeMove move) => this with { Position = move.Point(Position), Direction = move.Direction(Direction) };
+    public override ShapeDescription Moved(in ShapeMove move) => this with { Position = move.Point(Position), Direction = move.Direction(Direction), PictureUp = move.Direction(PictureUp) };
 
     /// <inheritdoc/>
     public override void Check(in Transform place, SceneBuilder builder)
@@ -61,11 +70,31 @@ public sealed record SpotLightDescription : PunctualLightDescription
         {
             builder.Error(this, nameof(BeamWidth), $"the beam cannot be wider than the cone: it must be at most the \"cutoffAngle\" of {CutoffAngle}, but is {BeamWidth}");
         }
+
+        if (Picture is null)
+        {
+            return;
+        }
+
+        CheckUp(nameof(PictureUp), Direction, PictureUp, builder);
+        if (CutoffAngle >= 90)
+        {
+            builder.Error(this, nameof(Picture), $"a square around a cone needs a \"cutoffAngle\" below 90, but it is {CutoffAngle}");
+        }
     }
 
     /// <inheritdoc/>
-    public override LightSource Create(Motion motion) =>
-        new SpotLight(Position, Direction, Intensity, CutoffAngle, BeamWidth ?? 0.75f * CutoffAngle, Falloff, motion);
+    public override Texture? BuildPicture(SceneBuilder builder) => Picture is null ? null : builder.EmittedTexture(this, nameof(Picture), Picture);
+
+    /// <inheritdoc/>
+    public override LightSource Create(Motion motion, Texture? picture)
+    {
+        LaneMath.SinCosTurn(CutoffAngle / 360, out float sin, out float cos);
+        return new SpotLight(Position, Direction, Intensity, CutoffAngle, BeamWidth ?? 0.75f * CutoffAngle, Falloff, motion)
+        {
+            Picture = picture is null ? null : new(picture, Direction.Unit(), PictureUp, sin / cos, sin / cos, motion),
+        };
+    }
 }
 
 /// <summary>A light at a point that shines into a cone.</summary>
@@ -77,6 +106,9 @@ internal sealed class SpotLight : PunctualLight
     private readonly Rgb _intensity;
     private readonly bool _isSmooth;
     private readonly bool _isStep;
+
+    // The mean of the picture.
+    private readonly float _dimmed = 1;
 
     // Of the sphere of directions, that within the angle halfway down.
     private readonly float _share;
@@ -121,8 +153,19 @@ internal sealed class SpotLight : PunctualLight
         _slope = beam == _end ? (_isSmooth ? Steepest : -Steepest) : 1 / (beam - _end);
     }
 
+    /// <summary>The picture that colours its light; null for none.</summary>
+    public PicturePlane? Picture
+    {
+        get;
+        init
+        {
+            field = value;
+            _dimmed = value?.Mean(_ => 1) ?? 1;
+        }
+    }
+
     /// <inheritdoc/>
-    public override LightExtent Extent((double Open, double Close) shutter) => new(BoundsOfPosition(shutter), _intensity.Luminance * _share);
+    public override LightExtent Extent((double Open, double Close) shutter) => new(BoundsOfPosition(shutter), _intensity.Luminance * (_share * _dimmed));
 
     /// <inheritdoc/>
     public override void Sample(in Vec3W from, in FloatW u, in FloatW v, in FloatW time, out ShapeSampleW sample, out RgbW radiance)
@@ -132,6 +175,7 @@ internal sealed class SpotLight : PunctualLight
         FloatW falloff = Strength(axis, sample.Direction);
         sample.InversePdf = (falloff > 0f).Select(sample.InversePdf, 0f);
         radiance = (RgbW)_intensity * (falloff * inverseSquare);
+        Color(-sample.Direction, time, axis, ref radiance);
     }
 
     /// <inheritdoc/>
@@ -153,7 +197,9 @@ internal sealed class SpotLight : PunctualLight
         Vec3W direction = frame.ToWorld(Warp.UniformCone(1f, v2, height));
         FloatW pdf = Density(axis, direction);
         FloatW weight = (pdf > 0f).Select(Strength(axis, -direction) / pdf, 0f);
-        EmittedW.OfDirection(direction, pdf, (RgbW)_intensity * weight, out ray);
+        RgbW power = (RgbW)_intensity * weight;
+        Color(direction, time, axis, ref power);
+        EmittedW.OfDirection(direction, pdf, power, out ray);
         ray.Origin = place;
     }
 
@@ -163,6 +209,16 @@ internal sealed class SpotLight : PunctualLight
         Place(hit.Time, out _, out Vec3W axis);
         point = 1f;
         direction = Density(axis, -hit.Direction);
+    }
+
+    // Multiplies light in directions by what the picture shows there.
+    private void Color(in Vec3W direction, in FloatW time, in Vec3W axis, ref RgbW light)
+    {
+        if (Picture is { } picture)
+        {
+            picture.Look(direction, time, axis, out RgbW color, out _);
+            light *= color;
+        }
     }
 
     // 1 − cos of an angle, as 2 sin² of its half.

@@ -32,6 +32,15 @@ public sealed record MediumDescription
     [Parameter("Numbers by which the albedo is multiplied, from a file; only together with density or noise.")]
     public GridDescription? AlbedoGrid { get; init; }
 
+    /// <summary>The light that the medium sends itself; black for none.</summary>
+    [Parameter("The light that the medium sends in all directions: radiance for each unit of length where the density is 1. It is multiplied by the density, or by the emission grid; only together with "
+        + "density or noise.", Unit = "power per area, steradian and scene unit", Minimum = 0)]
+    public Rgb Emission { get; init; }
+
+    /// <summary>Factors on the emission; null for those of the density.</summary>
+    [Parameter("Numbers by which the emission is multiplied instead of the density, from a file: the heat of a flame. They count within the box of the density.")]
+    public GridDescription? EmissionGrid { get; init; }
+
     /// <summary>Makes the medium; null for empty space.</summary>
     /// <param name="builder">Gives access to files and takes diagnostics.</param>
     public Medium? Build(SceneBuilder builder)
@@ -46,8 +55,22 @@ public sealed record MediumDescription
             builder.Error(this, nameof(AlbedoGrid), "the albedo varies only where the density does: add \"density\" or \"noise\"");
         }
 
+        if (EmissionGrid is not null && Emission.IsBlack)
+        {
+            builder.Error(this, nameof(EmissionGrid), "the numbers are factors on the \"emission\", which is black");
+        }
+
+        if (!Emission.IsBlack && Density is null && Noise is null)
+        {
+            builder.Error(this, nameof(Emission), "a medium shines only where its density varies: add \"density\" or \"noise\"");
+        }
+
         PlacedGrid? density = Density?.Build(builder) ?? Noise?.Build(builder);
         PlacedGrid? albedo = AlbedoGrid?.Build(builder);
-        return Extinction.IsBlack ? null : new(Extinction, Albedo, Anisotropy) { Varying = density is null ? null : new(density, albedo, Extinction, Albedo) };
+        PlacedGrid? emission = EmissionGrid?.Build(builder);
+        return Extinction.IsBlack && Emission.IsBlack ? null : new(Extinction, Albedo, Anisotropy)
+        {
+            Varying = density is null ? null : new(density, albedo, Extinction, Albedo, Emission, emission),
+        };
     }
 }

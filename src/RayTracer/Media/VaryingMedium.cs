@@ -1,3 +1,4 @@
+using System.Numerics;
 using RayTracer.Numerics;
 
 namespace RayTracer.Media;
@@ -10,28 +11,39 @@ internal sealed unsafe class VaryingMedium
 {
     // So many cells along the longest side, or up to twice as many.
     private const int Cells = 32;
+
+    // Where a medium shines but lets light through, places still come this often in a cell, on average.
+    private const float PlacesInCell = 0.5f;
     private readonly PlacedGrid _density;
     private readonly PlacedGrid? _albedos;
     private readonly PinnedBuffer<float> _most;
     private readonly PinnedBuffer<float> _least;
+    private readonly PlacedGrid? _lights;
     private readonly AffineW _toAlbedos;
+    private readonly AffineW _toLights;
     private readonly Rgb _extinction;
     private readonly Rgb _albedo;
+    private readonly Rgb _emission;
+    private readonly float _leastRate;
 
     /// <summary>Makes the medium.</summary>
     /// <param name="density">The density, by which the extinction is multiplied.</param>
     /// <param name="albedos">Factors on the albedo; null for none.</param>
     /// <param name="extinction">The extinction where the density is 1.</param>
     /// <param name="albedo">The part of the extinction that is scattered.</param>
-    public VaryingMedium(PlacedGrid density, PlacedGrid? albedos, Rgb extinction, Rgb albedo)
+    /// <param name="emission">The light sent for each unit of length, where the density is 1.</param>
+    /// <param name="lights">Factors on that instead of the density; null for none.</param>
+    public VaryingMedium(PlacedGrid density, PlacedGrid? albedos, Rgb extinction, Rgb albedo, Rgb emission = default, PlacedGrid? lights = null)
     {
         (_density, _albedos, _extinction, _albedo) = (density, albedos, extinction, albedo);
+        (_emission, _lights) = (emission, lights);
         VolumeGrid grid = density.Grid;
         Size = (grid.Width, grid.Height, grid.Depth);
         Largest = float.Max(extinction.R, float.Max(extinction.G, extinction.B));
         IsGrey = grid.Channels == 1 && extinction.R == extinction.G && extinction.R == extinction.B;
         ToVoxels = new(density.ToVoxels);
         _toAlbedos = new((albedos?.ToVoxels ?? Transform.Identity) * density.FromVoxels);
+        _toLights = new((lights?.ToVoxels ?? Transform.Identity) * density.FromVoxels);
         CellSize = 1;
         while (int.Max(Size.X, int.Max(Size.Y, Size.Z)) > 2 * Cells * CellSize)
         {
@@ -41,6 +53,8 @@ internal sealed unsafe class VaryingMedium
         CellCounts = ((Size.X + CellSize - 1) / CellSize, (Size.Y + CellSize - 1) / CellSize, (Size.Z + CellSize - 1) / CellSize);
         long cells = (long)CellCounts.X * CellCounts.Y * CellCounts.Z;
         (_most, _least) = (new(cells), new(cells));
+        Vector3[] sides = [.. ((Vector3[])[Vector3.UnitX, Vector3.UnitY, Vector3.UnitZ]).Select(s => density.FromVoxels.Vector(s * CellSize))];
+        _leastRate = Emits ? PlacesInCell / sides.Min(s => s.Norm()) : 0;
         Parallel.For(0, CellCounts.Z, FillCells);
     }
 
@@ -62,6 +76,9 @@ internal sealed unsafe class VaryingMedium
     /// <summary>True where some light is scattered.</summary>
     public bool Scatters => !_albedo.IsBlack;
 
+    /// <summary>True where it sends light itself.</summary>
+    public bool Emits => !_emission.IsBlack;
+
     /// <summary>The map from the world to voxels.</summary>
     public AffineW ToVoxels { get; }
 
@@ -72,7 +89,7 @@ internal sealed unsafe class VaryingMedium
     public float* Least => _least.Pointer;
 
     /// <summary>Extinction over its largest channel, where channels have no densities of their own.</summary>
-    public Rgb Share => _extinction * (1 / Largest);
+    public Rgb Share => Largest > 0 ? _extinction * (1 / Largest) : Rgb.White;
 
     /// <summary>The extinction at points in voxels.</summary>
     public void Extinction(in Vec3W at, out RgbW extinction)
@@ -93,6 +110,22 @@ internal sealed unsafe class VaryingMedium
         }
     }
 
+    /// <summary>The light sent for each unit of length, at points in voxels of the density.</summary>
+    public void Emission(in Vec3W at, out RgbW emission)
+    {
+        if (_lights is null)
+        {
+            _density.Value(at, out emission);
+        }
+        else
+        {
+            _toLights.Point(at, out Vec3W there);
+            _lights.Value(there, out emission);
+        }
+
+        emission *= _emission;
+    }
+
     private void FillCells(int z)
     {
         (int, int) Voxels(int cell, int count) => (cell * CellSize, int.Min((cell + 1) * CellSize, count) - 1);
@@ -102,13 +135,17 @@ internal sealed unsafe class VaryingMedium
             {
                 int cell = x + (CellCounts.X * (y + (CellCounts.Y * z)));
                 (float r, float g, float b) = (_extinction.R, _extinction.G, _extinction.B);
+                bool shines = false;
                 for (int channel = 0; channel < _density.Grid.Channels; channel++)
                 {
                     (float least, float most) = _density.Range(channel, Voxels(x, Size.X), Voxels(y, Size.Y), Voxels(z, Size.Z));
                     float factor = _density.Grid.Channels == 1 ? Largest : channel == 0 ? r : channel == 1 ? g : b;
                     _most.Pointer[cell] = float.Max(_most.Pointer[cell], most * factor);
                     _least.Pointer[cell] = _density.Grid.Channels == 1 ? least * factor : 0;
+                    shines |= Emits && (_lights is not null || most > 0);
                 }
+
+                _most.Pointer[cell] = shines ? float.Max(_most.Pointer[cell], _leastRate) : _most.Pointer[cell];
             }
         }
     }

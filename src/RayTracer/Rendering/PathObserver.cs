@@ -39,6 +39,13 @@ internal abstract unsafe class PathObserver
     {
     }
 
+    /// <summary>A medium sends its own light along a ray.</summary>
+    /// <param name="path">The path's number in the tile.</param>
+    /// <param name="light">The light that is added.</param>
+    public virtual void Shone(uint path, Rgb light)
+    {
+    }
+
     /// <summary>Ambient light is added.</summary>
     /// <param name="stream">The paths.</param>
     /// <param name="index">Indices of a packet of them.</param>

@@ -41,6 +41,13 @@ internal sealed unsafe class PathObservers(PathObserver first, PathObserver seco
     }
 
     /// <inheritdoc/>
+    public override void Shone(uint path, Rgb light)
+    {
+        first.Shone(path, light);
+        second.Shone(path, light);
+    }
+
+    /// <inheritdoc/>
     public override void Brightened(PathStream stream, uint* index, in MaskW lanes, in RgbW light, in RgbW radiance)
     {
         first.Brightened(stream, index, lanes, light, radiance);

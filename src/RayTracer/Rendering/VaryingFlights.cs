@@ -63,7 +63,8 @@ internal sealed unsafe class VaryingFlights
     /// <param name="medium">The medium that all are in.</param>
     /// <param name="stream">Their stream.</param>
     /// <param name="scattered">The number of the primitive that stands for scattering.</param>
-    public void Track(VaryingMedium medium, PathStream stream, uint scattered)
+    /// <param name="observer">Sees the light that the medium sends; null for nobody.</param>
+    public void Track(VaryingMedium medium, PathStream stream, uint scattered, PathObserver? observer)
     {
         ref TrackW track = ref *_track.Pointer;
         track = default;
@@ -83,6 +84,11 @@ internal sealed unsafe class VaryingFlights
         for (MaskW busy = track.Busy > 0f; busy.Any; busy = track.Busy > 0f)
         {
             MaskW arrived = track.Flight.Seek(medium, busy, aboveBase: false);
+            if (medium.Emits)
+            {
+                Shine(medium, track, arrived, stream, observer);
+            }
+
             MaskW hit = arrived.Any ? Happen(medium, ref track, arrived) : MaskW.None;
             for (uint done = (busy.Except(arrived) | hit).Bits; done != 0; done &= done - 1)
             {
@@ -100,6 +106,23 @@ internal sealed unsafe class VaryingFlights
         }
 
         _count = 0;
+    }
+
+    // The light that the medium sends on the way: at each place as much as, on average, the way between two of them.
+    private static void Shine(VaryingMedium medium, in TrackW track, in MaskW arrived, PathStream stream, PathObserver? observer)
+    {
+        medium.Emission(track.Flight.Place(), out RgbW emission);
+        RgbW light = track.Throughput * emission * (1f / track.Flight.Rate);
+        for (uint rest = (arrived & (light.R + light.G + light.B > 0f)).Bits; rest != 0; rest &= rest - 1)
+        {
+            int lane = BitOperations.TrailingZeroCount(rest);
+            uint path = track.Path[lane];
+            Rgb here = new(light.R[lane], light.G[lane], light.B[lane]);
+            stream.RadianceR[path] += here.R;
+            stream.RadianceG[path] += here.G;
+            stream.RadianceB[path] += here.B;
+            observer?.Shone(stream.Path[path], here);
+        }
     }
 
     // What happens where rays have come to: they are scattered, or go on.

@@ -38,6 +38,9 @@ public sealed class MeshData(Vector3[] positions, int[] indices)
     /// <summary>The index of each triangle's material; null where all are made of the first.</summary>
     public int[]? MaterialOfTriangle { get; init; }
 
+    /// <summary>The number of the polygon that each triangle is a part of, whose triangles follow one another; null where each is a face of its own.</summary>
+    public int[]? FaceOfTriangle { get; init; }
+
     /// <summary>Further colours that the file has, of which scenes may choose one instead of <see cref="Colors"/>.</summary>
     public IReadOnlyList<MeshAttribute> Attributes { get; init; } = [];
 }

@@ -55,6 +55,10 @@ public sealed record MeshDescription : ShapeDescription
     [Parameter("For each triangle, the index of its material, from 0.")]
     public IReadOnlyList<int> MaterialOfTriangle { get; init; } = [];
 
+    /// <summary>The number of the polygon that each triangle is a part of; empty where each is a face of its own.</summary>
+    [Parameter("For each triangle, the number of the polygon that it is a part of: triangles of the same number that follow one another are one face where the mesh is subdivided.")]
+    public IReadOnlyList<int> FaceOfTriangle { get; init; } = [];
+
     /// <summary>The index of the mesh in <see cref="File"/>, from 0; −1 for all.</summary>
     [Parameter("The index of the mesh in the file, from 0; −1 uses all of them.", Minimum = -1)]
     public int Part { get; init; } = -1;
@@ -80,6 +84,10 @@ public sealed record MeshDescription : ShapeDescription
     [Parameter("Which further colours of a PLY file replace those of its corners: of properties r, g, b of faces, \"face_color\"; of heat_0, heat_1, heat_2 of vertices, "
         + "\"vertex_heat\"; of heat_r …, \"vertex_heat_color\". They are linear.")]
     public string ColorAttribute { get; init; } = "";
+
+    /// <summary>What makes the mesh fine and round.</summary>
+    [Parameter("What makes a coarse mesh fine and round: subdivision, creases, displacement.")]
+    public RefinementDescription Refinement { get; init; } = new();
 
     /// <summary>The triangles as a program gives them, instead of the file or the lists; null where there are none.</summary>
     public MeshData? Data { get; init; }

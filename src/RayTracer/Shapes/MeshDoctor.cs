@@ -63,6 +63,7 @@ internal sealed class MeshDoctor
             Colors = Finite(_mesh.Colors, "colour", "colours", c => float.IsFinite(c.R) && float.IsFinite(c.G) && float.IsFinite(c.B) && c.R >= 0 && c.G >= 0 && c.B >= 0),
             Tangents = Finite(_mesh.Tangents, "tangent", "tangents", t => float.IsFinite(t.X) && float.IsFinite(t.Y) && float.IsFinite(t.Z) && float.IsFinite(t.W)),
             MaterialOfTriangle = materials.Length == 0 ? null : materials,
+            FaceOfTriangle = _mesh.FaceOfTriangle is { } faces ? [.. _kept.Select(t => t < faces.Length ? faces[t] : -1 - t)] : null,
         };
     }
 

@@ -8,7 +8,7 @@ internal static class MeshVariant
 {
     /// <summary>True where nothing changes.</summary>
     public static bool IsOwn(MeshDescription wanted) =>
-        wanted is { Shading: MeshShading.Own, FlipNormals: false, FlipV: false, IgnoreColors: false, ColorAttribute: "" };
+        wanted is { Shading: MeshShading.Own, FlipNormals: false, FlipV: false, IgnoreColors: false, ColorAttribute: "", Refinement.MovesCorners: false };
 
     /// <summary>The triangles as they are wanted; the same ones where they are.</summary>
     public static MeshData Of(MeshData mesh, MeshDescription wanted)
@@ -32,6 +32,7 @@ internal static class MeshVariant
             Colors = wanted.IgnoreColors ? null : attribute is { IsOfTriangles: false } ? attribute.Values : mesh.Colors,
             Tangents = wanted.FlipV || wanted.FlipNormals ? null : mesh.Tangents,
             MaterialOfTriangle = mesh.MaterialOfTriangle,
+            FaceOfTriangle = mesh.FaceOfTriangle,
         };
         return attribute is { IsOfTriangles: true } ? Apart(variant, attribute.Values) : variant;
     }

@@ -18,6 +18,14 @@ public sealed record ModelDescription : ShapeDescription
     [Parameter("Which look its materials have, by the name of a variant in the file. Without it, the look that the file gives them first.")]
     public string Variant { get; init; } = "";
 
+    /// <summary>True where meshes without normals are shaded smoothly.</summary>
+    [Parameter("Whether meshes without normals of their own are shaded smoothly: by the mean of the triangles around each corner, weighted by their angles there, up to the crease angle.")]
+    public bool Smooth { get; init; }
+
+    /// <summary>What makes its meshes fine and round.</summary>
+    [Parameter("What makes its meshes fine and round: subdivision, creases, displacement.")]
+    public RefinementDescription Refinement { get; init; } = new();
+
     /// <inheritdoc/>
     public override SketchKinds SketchedAs => SketchKinds.Shape;
 

@@ -110,6 +110,9 @@ internal sealed unsafe class ImageTexture : Texture
     public override long MemoryBytes => 3L * sizeof(float) * _width * _height;
 
     /// <inheritdoc/>
+    public override float Aspect => (float)_width / _height;
+
+    /// <inheritdoc/>
     public override void Evaluate(in TexturePointW at, out RgbW color)
     {
         // In texels; rows are counted from the top of the picture.

@@ -58,6 +58,9 @@ internal sealed class PlacedTexture(Texture texture, Vector2 scale, float rotate
     public override Rgb? Constant => texture.Constant;
 
     /// <inheritdoc/>
+    public override float Aspect => texture.Aspect;
+
+    /// <inheritdoc/>
     public override long MemoryBytes => texture.MemoryBytes;
 
     /// <inheritdoc/>

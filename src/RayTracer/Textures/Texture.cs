@@ -19,6 +19,9 @@ public abstract class Texture(TextureInputs inputs = TextureInputs.Uv)
     /// <summary>The smallest rectangle of memory the texture keeps, in bytes: what <c>info</c> reports.</summary>
     public virtual long MemoryBytes => 0;
 
+    /// <summary>The width over the height that its picture has; 1 where it has none.</summary>
+    public virtual float Aspect => 1;
+
     /// <summary>The colour at a point.</summary>
     /// <param name="at">The point: what the texture's <see cref="Inputs"/> name of it.</param>
     /// <param name="color">The colour there, linear.</param>

@@ -34,7 +34,6 @@ public sealed class MitsubaSettingsTests : IDisposable
     [InlineData("""<shape type="sphere"><bsdf type="diffuse"><texture type="volume" name="reflectance"/></bsdf></shape>""", "magenta is shown instead")]
     [InlineData("""<shape type="sdfgrid"><string name="filename" value="a.vol"/><bsdf type="diffuse"/></shape>""", "a magenta ball is shown instead")]
     [InlineData("""<emitter type="sunsky"><float name="turbidity" value="3"/></emitter>""", "it is left out")]
-    [InlineData("""<emitter type="spot"><texture type="bitmap" name="texture"><string name="filename" value="a.png"/></texture></emitter>""", "it shines without")]
     [InlineData("""<integrator type="stokes"><integrator type="path"/></integrator>""", "\"path\" is used instead")]
     [InlineData("""<shape type="sphere"><float name="colour" value="1"/></shape>""", "it is ignored")]
     [InlineData("""<shape type="sphere"><boolean name="flip_normals" value="true"/><emitter type="area"/></shape>""", "it is not turned")]

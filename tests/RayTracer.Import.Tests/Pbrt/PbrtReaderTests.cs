@@ -159,6 +159,53 @@ public sealed class PbrtReaderTests : IDisposable
     }
 
     [Fact]
+    public void Projections_say_what_goes_into_each_direction()
+    {
+        const string light = """LightSource "projection" "string filename" "p.png" "float fov" 60 "float scale" 2 """;
+        ProjectorLightDescription projector = (ProjectorLightDescription)PbrtTestScene.Of(light).Lights[0];
+        Assert.Equal((60, FieldOfViewAxis.Smaller, false, new Rgb(2, 2, 2)), (projector.FieldOfView, projector.FieldOfViewAxis, projector.EvenOnWalls, projector.Intensity));
+        Assert.Equal((Vector3.UnitZ, Vector3.UnitY), (projector.Direction, projector.Up));
+
+        // Looking along z with y upwards, x is to the right in pbrt's space, and to the left in ours.
+        Assert.Equal(new Vector2(-1, 1), ((ImageTextureDescription)projector.Picture).Scale);
+        projector = (ProjectorLightDescription)PbrtTestScene.Of("Scale -1 1 1 " + light).Lights[0];
+        Assert.Equal(Vector2.One, ((ImageTextureDescription)projector.Picture).Scale);
+    }
+
+    [Fact]
+    public void Subdivided_surfaces_are_meshes_that_are_refined()
+    {
+        const string shape = """Shape "loopsubdiv" "integer levels" 2 "point3 P" [0 0 0  1 0 0  0 1 0] "integer indices" [0 1 2] """;
+        MeshDescription mesh = (MeshDescription)PbrtTestScene.Of(shape).Shapes[0];
+        Assert.Equal(new RefinementDescription { Subdivide = 2, Scheme = SubdivisionScheme.Loop }, mesh.Refinement);
+        Assert.True(mesh.FlipNormals);
+        Assert.Contains("are subdivided by \"loop\"", PbrtTestScene.Complaint(shape + "\"string scheme\" \"butterfly\""), StringComparison.Ordinal);
+    }
+
+    [Fact]
+    public void Patches_are_shaded_by_the_normals_of_their_corners()
+    {
+        MeshDescription patch = (MeshDescription)PbrtTestScene.Of("""
+            Shape "bilinearmesh" "point3 P" [0 0 0  2 0 0  0 2 0  2 2 0] "normal N" [0 0 -1  1 0 0  0 0 -1  1 0 0]
+            """).Shapes[0];
+        int middle = patch.Positions.ToList().FindIndex(p => (p - new Vector3(1, 1, 0)).Norm() < 1e-5f);
+        Assert.True((patch.Normals[middle] - new Vector3(1, 0, -1).Unit()).Norm() < 1e-5f);
+        Assert.All(patch.Triangles, t => Assert.True((patch.Positions[t.B] - patch.Positions[t.A]).Cross(patch.Positions[t.C] - patch.Positions[t.A]).Z < 0));
+    }
+
+    [Fact]
+    public void Grids_send_what_they_absorb_of_their_radiance()
+    {
+        MaterialDescription material = PbrtTestScene.Of("""
+            MakeNamedMedium "fire" "string type" "uniformgrid" "integer nx" 1 "integer ny" 1 "integer nz" 1 "float density" [1]
+                "rgb sigma_a" [2 1 0] "rgb sigma_s" [1 1 1] "rgb Le" [1 1 1] "float Lescale" 3
+            AttributeBegin MediumInterface "fire" "" Material "interface" Shape "sphere" AttributeEnd
+            """).Shapes[0].Material;
+        Rgb emission = ((InvisibleMaterialDescription)material).Interior.Emission;
+        Assert.True(Math.Abs(emission.R - 6) < 1e-5 && Math.Abs(emission.G - 3) < 1e-5 && emission.B == 0, $"{emission}");
+    }
+
+    [Fact]
     public void Triangles_face_where_their_normals_point()
     {
         MeshDescription mesh = (MeshDescription)PbrtTestScene.Of("Shape \"trianglemesh\" \"point3 P\" [0 0 0 1 0 0 0 1 0] \"normal N\" [0 0 -1 0 0 -1 0 0 -1]").Shapes[0];

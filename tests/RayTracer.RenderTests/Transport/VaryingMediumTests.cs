@@ -101,6 +101,36 @@ public sealed class VaryingMediumTests : IDisposable
         Check(SceneRuns.RenderText(Ball(medium, "[1, 1, 1]"), s_seeds), [1, 1, 1]);
     }
 
+    [Theory]
+    [InlineData("[3, 3, 3]", "[1.5, 1.5, 1.5]", "[0.5, 0.5, 0.5]", 1)]
+    [InlineData("[0.5, 2, 8]", "[0.25, 0.4, 8]", "[0.5, 0.8, 0]", 1)]
+    [InlineData("[4, 2, 1]", "[4, 2, 1]", "[0, 0, 0]", 3)]
+    public void What_shines_as_much_as_it_absorbs_is_not_seen_in_an_even_light(string extinction, string emission, string albedo, int channels)
+    {
+        string file = Grid("clouds.vol", 9, 7, 11, Uneven, channels);
+        string medium = $$"""{ "extinction": {{extinction}}, "albedo": {{albedo}}, "emission": {{emission}}, "density": { "file": "{{file}}", {{Box}} } }""";
+        Check(SceneRuns.RenderText(Ball(medium, "[1, 1, 1]"), s_seeds), [1, 1, 1]);
+    }
+
+    [Theory]
+    [InlineData("[0, 0, 0]", "")]
+    [InlineData("[1e-6, 1e-6, 1e-6]", "")]
+    [InlineData("[0, 0, 0]", ", \"emissionGrid\": GRID")]
+    public void A_flame_without_smoke_is_as_bright_as_what_is_on_the_way(string extinction, string grid)
+    {
+        // As where light is weakened: the density in the middle of the way counts, or of the other grid, everywhere its mean.
+        (string ramp, string two) = (Grid("ramp.vol", 64, 4, 4, (x, _, _) => (x + 0.5f) / 32, 1), Grid("two.vol", 2, 2, 2, (_, _, _) => 2, 1));
+        (double enters, double leaves, double[] direction) = Ways([3, 1.5, 2.6], [0.3, -0.2, 0]);
+        double depth = (leaves - enters) * (grid.Length > 0 ? 2 : 4 + (direction[0] * (enters + leaves) / 2));
+        string medium = $$"""{ "extinction": {{extinction}}, "emission": [0.5, 1, 0], "density": { "file": "{{ramp}}", {{Box}} }{{grid.Replace("GRID", $$"""{ "file": "{{two}}", {{Box}} }""", StringComparison.Ordinal)}} }""";
+        ImageSamples images = SceneRuns.RenderText($$"""
+            { "camera": { "position": [3, 1.5, 2.6], "lookAt": [0.3, -0.2, 0], "fieldOfView": 1e-3 },
+              "render": { "width": 8, "height": 8, "samplesPerPixel": 64, "integrator": "volPath" },
+              "shapes": [ { "type": "box", "a": [-0.95, -0.95, -0.95], "b": [0.95, 0.95, 0.95], "material": { "type": "invisible", "interior": {{medium}} } } ] }
+            """, s_seeds);
+        Check(images, [0.5 * depth, depth, 0]);
+    }
+
     [Fact]
     public void No_path_is_brighter_than_its_channels_together_are_at_first()
     {

@@ -60,6 +60,9 @@ public class EmissionTests
         ["sharp spot"] = ("""{ "type": "spot", "position": [0.3, 0.2, 1], "direction": [1, -2, 0.5], "intensity": [1, 2, 3], "cutoffAngle": 40, "beamWidth": 40 }""", Spot(40, 40, false)),
         ["wide spot"] = ("""{ "type": "spot", "position": [0.3, 0.2, 1], "direction": [1, -2, 0.5], "intensity": [1, 2, 3], "cutoffAngle": 180, "beamWidth": 0 }""", Spot(180, 0, false)),
         ["moving spot"] = ("""{ "type": "group", "shapes": [{ "type": "spot", "position": [0.3, 0.2, 1], "direction": [1, -2, 0.5], "intensity": [1, 2, 3], "cutoffAngle": 60, "beamWidth": 0 }], MOVING }""", Spot(60, 0, false)),
+        ["spot with a picture"] = ("""{ "type": "spot", "position": [0.3, 0.2, 1], "direction": [1, -2, 0.5], "intensity": [1, 2, 3], "cutoffAngle": 60, "beamWidth": 20, "picture": { "type": "checker", "scale": [2, 2], "even": [1, 1, 1], "odd": [0.3, 0.3, 0.3] } }""", null),
+        ["projector"] = ("""{ "type": "projector", "position": [0.3, 0.2, 1], "direction": [1, -2, 0.5], "intensity": [1, 2, 3], "fieldOfView": 90, "aspect": 2 }""", 2 * 2),
+        ["moving projector"] = ("""{ "type": "group", "shapes": [{ "type": "projector", "position": [0.3, 0.2, 1], "direction": [1, -2, 0.5], "intensity": [1, 2, 3], "fieldOfView": 90, "evenOnWalls": false }], MOVING }""", null),
         ["directional"] = ("""{ "type": "directional", "direction": [1, -2, 0.5], "irradiance": [1, 2, 3] }""", 2 * DiskArea),
         ["turning directional"] = ("""{ "type": "group", "shapes": [{ "type": "directional", "direction": [1, -2, 0.5], "irradiance": [1, 2, 3] }], MOVING }""", 2 * DiskArea),
         ["constant environment"] = ("""{ "type": "constant", "radiance": [1, 2, 3] }""", 8 * Math.PI * DiskArea),
@@ -125,9 +128,9 @@ public class EmissionTests
 
             // On the border of two texels, a rounded direction may lie in the other one.
             count++;
-            others += Math.Abs((direction[lane] / ray.DirectionPdf[lane]) - 1) < 3 * tolerance + (IsFar(light) || light is SpotLight ? 5e-3 : 0) ? 0 : 1;
+            others += Math.Abs((direction[lane] / ray.DirectionPdf[lane]) - 1) < 3 * tolerance + (IsFar(light) || light is SpotLight or ProjectorLight ? 5e-3 : 0) ? 0 : 1;
         });
-        Assert.InRange(others, 0, light is EnvironmentLight or SpotLight ? count / 200 : 0);
+        Assert.InRange(others, 0, light is EnvironmentLight or SpotLight or ProjectorLight ? count / 200 : 0);
     }
 
     [Fact]

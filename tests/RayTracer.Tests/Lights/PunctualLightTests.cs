@@ -47,6 +47,45 @@ public class PunctualLightTests
         },
         from => (new Vector3D(1, 2, 3) - from).Unit);
 
+    // Red to the lower left and upper right, as somebody sees it who stands behind the light and has −z above.
+    [Theory]
+    [InlineData("", 1, 0)]
+    [InlineData(""", "evenOnWalls": false""", 3, 0)]
+    [InlineData(""", "transform": [{ "scale": [-1, 1, 1], "translate": [2, 0, 0] }]""", 1, 1)]
+    public void A_projector_throws_its_picture(string more, int power, int mirrored)
+    {
+        const string picture = """{ "type": "checker", "scale": [2, 2], "even": [1, 0, 0], "odd": [0, 1, 0] }""";
+        LightSource light = Only($$"""{ "type": "group", "shapes": [{ "type": "projector", "position": [1, 2, 3], "direction": [0, -2, 0], "up": [0, 1, -3], "fieldOfView": 90, "aspect": 2, "intensity": [6, 3, 1], "picture": {{picture}}{{(power == 3 ? more : "")}} }]{{(power == 1 ? more : "")}} }""");
+        foreach ((float x, float z) in new[] { (0.3f, 0.2f), (-0.3f, 0.2f), (-0.9f, -0.4f), (0.9f, 0.4f), (1.1f, 0), (0.3f, 0.6f), (0.3f, -0.6f) })
+        {
+            bool isSeen = float.Abs(x) <= 1 && float.Abs(z) <= 0.5f;
+            bool isRed = x < 0 == z > 0 == (mirrored == 0);
+            light.Sample(new Vector3(1 + (2 * x), 0, 3 + (2 * z)), 0f, 0f, 0f, out ShapeSampleW sample, out RgbW radiance);
+            double cosine = 1 / Math.Sqrt(1 + (x * x) + (z * z));
+
+            // On a wall at distance 2, E = I/4 · cos⁴, and I = 1/cos³ makes it even but for the cosine of the wall.
+            double expected = power == 1 ? 1 / (4 * cosine) : cosine * cosine / 4;
+            Assert.Equal(isSeen && isRed ? 6 * expected : 0, radiance.R[0], 1e-5);
+            Assert.Equal(isSeen && !isRed ? 3 * expected : 0, radiance.G[0], 1e-5);
+            Assert.Equal(isSeen, sample.InversePdf[0] > 0);
+        }
+    }
+
+    [Fact]
+    public void A_picture_colours_the_light_of_a_spot()
+    {
+        string spot = Spot.Replace(" }", """, "pictureUp": [0, 0, -1], "picture": { "type": "checker", "scale": [2, 1], "even": [1, 0, 0], "odd": [0, 1, 0] } }""", StringComparison.Ordinal);
+        LightSource light = Only(spot);
+        foreach (float x in new[] { -0.5f, 0.5f, -1.2f, 1.2f })
+        {
+            Vector3 from = new(1 + x, 0, 3.2f);
+            light.Sample(from, 0f, 0f, 0f, out _, out RgbW radiance);
+            double strength = SpotStrength(new(1, 2, 3), new(0, -1, 0), from, 40, 10);
+            Assert.Equal(x < 0 ? 6 * strength : 0, radiance.R[0], 1e-5);
+            Assert.Equal(x < 0 ? 0 : 3 * strength, radiance.G[0], 1e-5);
+        }
+    }
+
     [Fact]
     public void A_narrow_beam_is_not_rounded_to_steps()
     {
@@ -104,7 +143,7 @@ public class PunctualLightTests
     [Fact]
     public void At_its_own_place_a_light_brings_nothing()
     {
-        foreach (string type in new[] { "point", "spot" })
+        foreach (string type in new[] { "point", "spot", "projector" })
         {
             Only($$"""{ "type": "{{type}}", "position": [1, 2, 3] }""").Sample(new Vector3(1, 2, 3), 0f, 0f, 0f, out ShapeSampleW sample, out RgbW radiance);
             Assert.Equal((0, 0), (sample.InversePdf[0], radiance.R[0]));
@@ -114,6 +153,7 @@ public class PunctualLightTests
     [Theory]
     [InlineData("point")]
     [InlineData("spot")]
+    [InlineData("projector")]
     [InlineData("directional")]
     public void No_ray_meets_it_by_chance(string type)
     {

@@ -34,6 +34,9 @@ internal sealed class ObjMesh
     /// <summary>Three corners a triangle.</summary>
     public List<int> Indices { get; } = [];
 
+    /// <summary>For each triangle, the number of the first of the polygon that it is a part of.</summary>
+    public List<int> Faces { get; } = [];
+
     /// <summary>Number of triangles.</summary>
     public int TriangleCount => Indices.Count / 3;
 
@@ -114,6 +117,7 @@ internal sealed class ObjMesh
         var indices = new int[runs.Sum(r => End(r) - _runs[r].FirstIndex)];
         int[] used = [.. runs.Select(r => _runs[r].Material).Distinct()];
         int[]? materialOfTriangle = used.Length > 1 ? new int[indices.Length / 3] : null;
+        int[] faces = [.. runs.SelectMany(r => Faces[(_runs[r].FirstIndex / 3)..(End(r) / 3)])];
         List<int> corners = [];
         int at = 0;
         foreach (int run in runs)
@@ -133,7 +137,8 @@ internal sealed class ObjMesh
             }
         }
 
-        MeshData data = ToData(corners, indices, isFlat, materialOfTriangle);
+        bool hasPolygons = faces.Zip(faces.Skip(1)).Any(f => f.First == f.Second);
+        MeshData data = ToData(corners, indices, isFlat, materialOfTriangle, hasPolygons ? faces : null);
         MaterialDescription none = data.Colors is null ? ShapeDescription.DefaultMaterial : MeshModel.White;
         MaterialDescription[] all = [.. used.Select(m => m == NoMaterial ? none : materials[m])];
         return new MeshDescription { Name = name, Data = data, Material = all[0], Materials = all.Length > 1 ? all : [] };
@@ -141,7 +146,7 @@ internal sealed class ObjMesh
 
     private int End(int run) => run + 1 < _runs.Count ? _runs[run + 1].FirstIndex : Indices.Count;
 
-    private MeshData ToData(List<int> corners, int[] indices, bool isFlat, int[]? materialOfTriangle)
+    private MeshData ToData(List<int> corners, int[] indices, bool isFlat, int[]? materialOfTriangle, int[]? faces)
     {
         ReadOnlySpan<Vector3> normals = CollectionsMarshal.AsSpan(Normals);
         var positions = new Vector3[corners.Count];
@@ -169,6 +174,6 @@ internal sealed class ObjMesh
             }
         }
 
-        return new MeshData(positions, indices) { Normals = cornerNormals, Uv = uv, Colors = colors, MaterialOfTriangle = materialOfTriangle };
+        return new MeshData(positions, indices) { Normals = cornerNormals, Uv = uv, Colors = colors, MaterialOfTriangle = materialOfTriangle, FaceOfTriangle = faces };
     }
 }

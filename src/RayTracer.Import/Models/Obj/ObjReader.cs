@@ -168,9 +168,10 @@ internal sealed class ObjReader
 
         bool isSmooth = !hasNormals && _group > 0;
         _mesh.Begin(_name, _material, isFlat: !hasNormals && !isSmooth);
+        int first = _mesh.TriangleCount;
         if (_face.Count == 3)
         {
-            AddTriangle(0, 1, 2, hasNormals, isSmooth);
+            AddTriangle(0, 1, 2, first, hasNormals, isSmooth);
             return;
         }
 
@@ -183,15 +184,16 @@ internal sealed class ObjReader
         _cutter.Cut(CollectionsMarshal.AsSpan(_facePositions), _faceTriangles);
         for (int i = 0; i < _faceTriangles.Count; i += 3)
         {
-            AddTriangle(_faceTriangles[i], _faceTriangles[i + 1], _faceTriangles[i + 2], hasNormals, isSmooth);
+            AddTriangle(_faceTriangles[i], _faceTriangles[i + 1], _faceTriangles[i + 2], first, hasNormals, isSmooth);
         }
     }
 
-    private void AddTriangle(int a, int b, int c, bool hasNormals, bool isSmooth)
+    private void AddTriangle(int a, int b, int c, int face, bool hasNormals, bool isSmooth)
     {
         ObjCorners corners = _mesh.Corners;
         Span<int> triangle = [Corner(a, hasNormals, isSmooth), Corner(b, hasNormals, isSmooth), Corner(c, hasNormals, isSmooth)];
         _mesh.Indices.AddRange(triangle);
+        _mesh.Faces.Add(face);
         if (isSmooth)
         {
             Vector3 origin = _mesh.Positions[_face[a].Position];

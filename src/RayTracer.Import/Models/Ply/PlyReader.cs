@@ -44,6 +44,7 @@ internal static class PlyReader
         var values = new PlyValues(file, header.Format, text);
         Vertices? vertices = null;
         List<int> indices = [];
+        List<int> faces = [];
         List<MeshAttribute> attributes = [];
         foreach (PlyElement element in header.Elements)
         {
@@ -58,7 +59,7 @@ internal static class PlyReader
                         throw new ModelException("faces come before the vertices that they refer to", element.Line);
                     }
 
-                    ReadFaces(ref values, element, vertices.Positions, indices, attributes, notes);
+                    ReadFaces(ref values, element, vertices.Positions, indices, faces, attributes, notes);
                     break;
                 default:
                     Skip(ref values, element);
@@ -68,7 +69,14 @@ internal static class PlyReader
 
         return vertices is null
             ? throw new ModelException("there are no vertices in it")
-            : new MeshData(vertices.Positions, [.. indices]) { Normals = vertices.Normals, Uv = vertices.Uv, Colors = vertices.Colors, Attributes = attributes };
+            : new MeshData(vertices.Positions, [.. indices])
+            {
+                Normals = vertices.Normals,
+                Uv = vertices.Uv,
+                Colors = vertices.Colors,
+                Attributes = attributes,
+                FaceOfTriangle = faces.Where((face, triangle) => face != triangle).Any() ? [.. faces] : null,
+            };
     }
 
     // Mitsuba's own files hold linear light, as numbers with a point and by these names.
@@ -145,7 +153,7 @@ internal static class PlyReader
         : -1;
 
     private static void ReadFaces(
-        ref PlyValues values, PlyElement element, Vector3[] positions, List<int> indices, List<MeshAttribute> attributes, List<string> notes)
+        ref PlyValues values, PlyElement element, Vector3[] positions, List<int> indices, List<int> faces, List<MeshAttribute> attributes, List<string> notes)
     {
         int place = element.Properties.FindIndex(p => p.CountType is not null && p.Name is "vertex_indices" or "vertex_index");
         if (place < 0)
@@ -189,6 +197,12 @@ internal static class PlyReader
             }
 
             more.Add((indices.Count - before) / 3);
+
+            // A polygon has the number of its first triangle.
+            for (int triangle = before / 3; triangle < indices.Count / 3; triangle++)
+            {
+                faces.Add(isStrip ? triangle : before / 3);
+            }
         }
 
         attributes.AddRange(more.All);

@@ -24,6 +24,7 @@ internal sealed unsafe class LightContributions : PathObserver
     private readonly int _width;
     private readonly int _sky;
     private readonly int _ambient;
+    private readonly int _media;
     private readonly int[] _layerOfLight;
     private readonly List<Share> _waiting = [];
     private PinnedBuffer<float> _numbers = new(0);
@@ -45,6 +46,7 @@ internal sealed unsafe class LightContributions : PathObserver
         _layerOfLight = [.. Enumerable.Range(-1, _lights.Count + 1).Select(light => LightPathAovFilm.FirstLight + film.Groups.Of(light))];
         _sky = LightPathAovFilm.FirstLight + film.Groups.Sky;
         _ambient = LightPathAovFilm.FirstLight + film.Groups.Ambient;
+        _media = LightPathAovFilm.FirstLight + film.Groups.Media;
         Layers = LightPathAovFilm.FirstLight + film.Groups.Names.Count;
         _width = Sums + (3 * Layers);
         _pictureWidth = scene.Render.Width;
@@ -110,6 +112,9 @@ internal sealed unsafe class LightContributions : PathObserver
             }
         }
     }
+
+    /// <inheritdoc/>
+    public override void Shone(uint path, Rgb light) => AddArrived(path, _media, light);
 
     /// <inheritdoc/>
     public override void Brightened(PathStream stream, uint* index, in MaskW lanes, in RgbW light, in RgbW radiance)

@@ -27,6 +27,11 @@ internal sealed class LightGroups
         {
             Ambient = Number("ambient");
         }
+
+        if (scene.HasVaryingMedia && Array.Exists(scene.Media.Varying, m => m.Medium.Emits))
+        {
+            Media = Number("media");
+        }
     }
 
     /// <summary>Their names, each once, in the order of the lights.</summary>
@@ -37,6 +42,9 @@ internal sealed class LightGroups
 
     /// <summary>That of ambient light; −1 where there is none.</summary>
     public int Ambient { get; } = -1;
+
+    /// <summary>That of media that send light; −1 where there is none.</summary>
+    public int Media { get; } = -1;
 
     /// <summary>
     /// That of a light, by its number among those that are sampled: the environment comes last. What shines but is too large to be sampled
