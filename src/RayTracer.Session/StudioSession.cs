@@ -33,6 +33,7 @@ public sealed class StudioSession : IDisposable
         Films = new(Document, View, Pictures, folders, time ?? TimeProvider.System);
         Background = new(Document, View, Jobs, folders);
         Lights = new(Document, View, Jobs);
+        Mixer = new(Document, View);
         Timeline = new(Document, View);
         Scenes = scenes ?? ScenesFolder.Find();
         Notices.Changed += (_, _) => Changes.Advance();
@@ -105,6 +106,9 @@ public sealed class StudioSession : IDisposable
 
     /// <summary>Balances the lights of rendered pictures.</summary>
     public Relighting Lights { get; }
+
+    /// <summary>Balances the lights of the picture.</summary>
+    public LightMixer Mixer { get; }
 
     /// <summary>The animation: its frame that is shown, and its keys.</summary>
     public Timeline Timeline { get; }

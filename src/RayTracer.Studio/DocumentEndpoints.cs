@@ -42,7 +42,17 @@ internal static class DocumentEndpoints
         });
         api.MapGet("/schema", () => Results.Bytes(Schema.Value, "application/json"));
         api.MapGet("/value", (string? pointer) => PropertyValues.At(document.Readable.Root, Needed(pointer, "pointer")));
-        api.MapPost("/select", (At request) => session.Selection.Select(request.Pointer));
+        api.MapPost("/select", (Choice request) =>
+        {
+            if (request is { Adds: true, Pointer: { } pointer })
+            {
+                session.Selection.Toggle(pointer);
+            }
+            else
+            {
+                session.Selection.SelectAll(request.Pointers ?? (request.Pointer is null ? [] : [request.Pointer]));
+            }
+        });
     }
 
     private static void MapText(RouteGroupBuilder api, StudioSession session)
@@ -64,7 +74,11 @@ internal static class DocumentEndpoints
     {
         SceneEdits edits = session.Edits;
         api.MapPost("/document/add", (Add request) => Pointed(edits.Add(Needed(request.Family, "family"), Needed(request.Type, "type"), request.Near, request.File)));
-        api.MapPost("/document/duplicate", (At request) => Pointed(edits.Duplicate(Needed(request.Pointer, "pointer"))));
+        api.MapPost("/document/duplicate", (Many request) =>
+        {
+            (int revision, IReadOnlyList<string> pointers) = edits.Duplicate(Needed(request.Pointers, "pointers"));
+            return Results.Json(new { revision, pointers });
+        });
         api.MapPost("/document/rename", (Rename request) => Pointed(edits.Rename(Needed(request.Pointer, "pointer"), Needed(request.Name, "name"))));
         api.MapPost("/document/delete", (Many request) =>
         {

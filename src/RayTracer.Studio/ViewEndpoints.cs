@@ -27,18 +27,23 @@ internal static class ViewEndpoints
         view.MapPost("/render", (RenderRequest request) => session.View.Change(request.Apply, restart: request.Action == "restart"));
         view.MapPost("/snapshot", () => session.Snapshots.Capture());
         view.MapGet("/snapshot", (int id) => Results.Bytes(session.Snapshots.Png(id), "image/png"));
-        view.MapGet("/pixel", async (int x, int y) =>
+        view.MapPost("/snapshot/rename", (SnapshotRequest request) => session.Snapshots.Rename(request.Id, request.Name));
+        view.MapGet("/compare", (int image, int reference) => session.Snapshots.Compare(image, reference));
+        view.MapGet("/compare/picture", (int image, int reference, string map) => Results.Bytes(session.Snapshots.Png(image, reference, MapOf(map)), "image/png"));
+        view.MapGet("/pixels", async (int x, int y, int width, int height) =>
         {
             try
             {
-                return Results.Json(await session.View.Loop.Pixel(x, y));
+                return await session.View.Loop.Pixels(new(x, y, width, height));
             }
             catch (SessionException)
             {
                 // Since the pointer was there, the picture has become another, or has gone.
-                return Results.Text("null", "application/json");
+                return [];
             }
         });
+        view.MapPost("/lights/mix", (MixRequest request) => session.Mixer.Mix(request.Factors));
+        view.MapPost("/lights/write", () => Results.Json(new { revision = session.Mixer.Write() }));
         view.MapGet("/mask", (string pointer, int? step) => Picking.Mask(session.View.RequireShown(), pointer, step ?? 1));
         view.MapPost("/gizmo", (HandlesRequest request) =>
         {
@@ -50,7 +55,14 @@ internal static class ViewEndpoints
         view.MapPost("/drag", (HandleDrag way) => session.Handles.Drag(way));
     }
 
+    private static ComparisonMap MapOf(string name) =>
+        Enum.TryParse(name, ignoreCase: true, out ComparisonMap map) && Enum.IsDefined(map) ? map : throw new SessionException($"There is no comparison \"{name}\": it may be difference or flip.");
+
     internal sealed record PixelRequest(float X, float Y);
+
+    internal sealed record MixRequest(Dictionary<string, float[]>? Factors);
+
+    internal sealed record SnapshotRequest(int Id, string? Name);
 
     internal sealed record BookmarkRequest(int Id, string? Name);
 

@@ -40,7 +40,7 @@ internal sealed class ThingsViewModel(SessionDispatcher dispatcher, PanelContext
     }
 
     /// <summary>Makes a copy of the selected thing.</summary>
-    public void Duplicate() => With(pointer => dispatcher.Do(s => s.Selection.Select(s.Edits.Duplicate(pointer).Pointer)));
+    public void Duplicate() => With(pointer => dispatcher.Do(s => s.Selection.SelectAll([.. s.Edits.Duplicate(pointer).Pointers])));
 
     /// <summary>Deletes the selected thing.</summary>
     public void Delete() => With(pointer => dispatcher.Do(s => s.Edits.Delete(pointer)));

@@ -67,7 +67,7 @@ internal static class AnimatedProperties
         steps.Count >= count && steps.Take(count).SequenceEqual(prefix.Take(count), StringComparer.Ordinal);
 
     // Elements of the same list, from that of the pointer on, have other numbers.
-    private static IReadOnlyList<string> Shifted(IReadOnlyList<string> steps, string[] pointer, int by)
+    internal static IReadOnlyList<string> Shifted(IReadOnlyList<string> steps, string[] pointer, int by)
     {
         int at = pointer.Length - 1;
         return steps.Count > at && StartsWith(steps, pointer, at) && JsonPointer.Index(steps[at]) >= JsonPointer.Index(pointer[at])

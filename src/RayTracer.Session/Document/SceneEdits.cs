@@ -37,20 +37,35 @@ public sealed class SceneEdits(SceneDocument document, Selection selection, Noti
     public (int Revision, string Pointer) Add(string family, string type, string? near = null, string? file = null) =>
         Pointed($"add {type}", text => SceneThings.Add(text, family, type, near, file));
 
-    /// <summary>Makes a copy of a thing.</summary>
-    /// <returns>The revision, and the copy's pointer.</returns>
-    public (int Revision, string Pointer) Duplicate(string pointer) => Pointed("duplicate", text => SceneThings.Duplicate(text, pointer));
+    /// <summary>Makes copies of things.</summary>
+    /// <returns>The revision, and the copies' pointers.</returns>
+    public (int Revision, IReadOnlyList<string> Pointers) Duplicate(params string[] pointers)
+    {
+        string[] copies = [];
+        int revision = document.Change("duplicate", null, text =>
+        {
+            copies = [];
+            JsonText before = text;
+
+            // From behind, so that the pointers of what is before stay true; those of the copies behind follow.
+            foreach (string pointer in pointers.Distinct(StringComparer.Ordinal).OrderByDescending(p => before.At(p).Start).ToArray())
+            {
+                (text, string copy) = SceneThings.Duplicate(text, pointer);
+                copies = [copy, .. copies.Select(c => JsonPointer.Of(AnimatedProperties.Shifted(JsonPointer.Parse(c), JsonPointer.Parse(copy), 1)))];
+            }
+
+            return text;
+        });
+        return (revision, copies);
+    }
 
     /// <summary>Gives a thing another name; what refers to it follows.</summary>
     /// <returns>The revision, and the thing's pointer now.</returns>
     public (int Revision, string Pointer) Rename(string pointer, string name)
     {
-        bool isSelected = selection.Pointer == pointer;
+        IReadOnlyList<string> selected = selection.All;
         (int Revision, string Pointer) renamed = Pointed("rename", text => SceneThings.Rename(text, pointer, name));
-        if (isSelected)
-        {
-            selection.Select(renamed.Pointer);
-        }
+        selection.SelectAll([.. selected.Select(p => p == pointer ? renamed.Pointer : p)]);
 
         return renamed;
     }
@@ -80,13 +95,19 @@ public sealed class SceneEdits(SceneDocument document, Selection selection, Noti
         return (revision, notes);
     }
 
-    /// <summary>Scales, then turns, then moves a thing.</summary>
-    public int Place(string pointer, Placement change, string? gesture = null) => document.Change("place", gesture, text =>
+    /// <summary>Scales, then turns, then moves a thing, and all others that are selected with it.</summary>
+    public int Place(string pointer, Placement change, string? gesture = null)
+    {
+        string[] all = [.. selection.With(pointer).Where(p => p == pointer || SceneThings.IsSeen(p))];
+        return document.Change("place", gesture, text => all.Aggregate(text, (now, each) => Placed(now, each, change)));
+    }
+
+    private static JsonText Placed(JsonText text, string pointer, Placement change)
     {
         text = change.Scale is { } factors ? ShapePlacement.Scale(text, pointer, factors, change.Center) : text;
         text = change.Rotate is { } turn ? ShapePlacement.Rotate(text, pointer, turn.Axis, turn.Degrees, turn.Center ?? change.Center) : text;
         return change.Translate is { } by ? ShapePlacement.Translate(text, pointer, by) : text;
-    });
+    }
 
     private (int Revision, string Pointer) Pointed(string label, Func<JsonText, (JsonText, string)> change)
     {

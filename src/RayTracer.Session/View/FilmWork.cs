@@ -21,6 +21,7 @@ internal sealed class FilmWork(FrameBoard frames)
     private readonly Dictionary<(int Width, int Height), Film> _previewFilms = [];
     private readonly MapPictures _maps = new();
     private readonly DenoisedPicture _denoised = new();
+    private readonly LightLayers _lights = new();
     private readonly PublishPace _pace = new();
     private SlicePlan _plan = new(default, 0);
     private Textbook.Renderer? _textbook;
@@ -34,6 +35,7 @@ internal sealed class FilmWork(FrameBoard frames)
     private (ViewMap? Map, string? Text) _legend;
     private bool _isFiltered;
     private bool _isStale;
+    private object? _lightFactors;
     private int _samplesBefore;
     private bool _isFromFile;
 
@@ -54,7 +56,7 @@ internal sealed class FilmWork(FrameBoard frames)
 
     /// <summary>Returns whether there is something to do for a scene.</summary>
     public bool HasWork(ViewportScene wanted) =>
-        wanted.Picture != Shown?.Picture || wanted.Settings.Map != _map || wanted.Settings.FiltersMotion != _isFiltered || _previews.Scale > 1 || _movingPlan.HasNext || _maps.Needs(wanted) || NeedsDenoising(wanted)
+        wanted.Picture != Shown?.Picture || wanted.Settings.Map != _map || !ReferenceEquals(wanted.Settings.LightFactors, _lightFactors) || wanted.Settings.FiltersMotion != _isFiltered || _previews.Scale > 1 || _movingPlan.HasNext || _maps.Needs(wanted) || NeedsDenoising(wanted)
         || (wanted.Settings.Mode == RenderMode.Running && _plan.Samples < wanted.Samples) || (_isStale && frames.IsWatched);
 
     /// <summary>
@@ -160,6 +162,7 @@ internal sealed class FilmWork(FrameBoard frames)
         }
 
         Film = begun ?? Film;
+        _lights.Begin(wanted, Film!);
         Shown = wanted;
         _samplesBefore = begun is null ? wanted.First : wanted.Start!.Held.End;
         _plan = new SlicePlan(wanted.Area, wanted.Samples, _textbook is not null || render.Integrator.Has(IntegratorTraits.TracesLight)).From(_samplesBefore);
@@ -263,7 +266,7 @@ internal sealed class FilmWork(FrameBoard frames)
     {
         Slice slice = _plan.Next(_seconds, _rendered > 0 ? _seconds / _rendered : 0);
         long start = Stopwatch.GetTimestamp();
-        RenderOptions options = new() { Threads = wanted.Settings.Threads, Crop = slice.Area, Samples = slice.Samples };
+        RenderOptions options = new() { Threads = wanted.Settings.Threads, Crop = slice.Area, Samples = slice.Samples, Layers = _lights.Film };
         RenderStatistics statistics = _textbook is null ? new RTracer(wanted.Scene, options).Render(Film!, null, cancellation)
             : new TextbookRender(_textbook, options).Render(Film!, null, cancellation);
         if (statistics.Cancelled)
@@ -294,7 +297,7 @@ internal sealed class FilmWork(FrameBoard frames)
     // Shows what there is, if anybody looks and it is time to; else it is remembered that there is something to show.
     private void Show(ViewportScene wanted, bool isMilestone, CancellationToken cancellation)
     {
-        _map = wanted.Settings.Map;
+        (_map, _lightFactors) = (wanted.Settings.Map, wanted.Settings.LightFactors);
         if (!frames.IsWatched || cancellation.IsCancellationRequested || !(isMilestone || _pace.IsTime))
         {
             _isStale = true;
@@ -317,6 +320,7 @@ internal sealed class FilmWork(FrameBoard frames)
         Publish(wanted, _plan.Samples == 0, picture =>
         {
             PicturePainter.Paint(Film!, _preview, picture);
+            _lights.Paint(wanted, picture);
             if (wanted.Settings.FiltersMotion && _textbook is null && _movingPlan.ShareAfter(_plan.Samples, wanted.Samples) is > 0 and var share)
             {
                 PicturePainter.Blend(_preview, share, picture);
@@ -329,32 +333,44 @@ internal sealed class FilmWork(FrameBoard frames)
         });
     }
 
-    /// <summary>The numbers of a pixel in the map that is shown.</summary>
+    /// <summary>The numbers of some pixels in the map that is shown, row by row.</summary>
     /// <param name="shown">What is shown.</param>
-    /// <param name="x">The pixel's column.</param>
-    /// <param name="y">The pixel's row.</param>
-    /// <exception cref="SessionException">There is no such pixel, or it has no numbers yet.</exception>
-    public PixelReading Reading(ViewportScene shown, int x, int y)
+    /// <param name="part">The pixels.</param>
+    /// <exception cref="SessionException">There are no such pixels, or too many of them, or they have no numbers yet.</exception>
+    public IReadOnlyList<PixelReading> Readings(ViewportScene shown, Tile part)
     {
+        const int most = 4096;
         Film film = Film!;
-        if (x < 0 || x >= film.Width || y < 0 || y >= film.Height)
+        bool isInside = part.X >= 0 && part.Y >= 0 && part.Width > 0 && part.Height > 0 && part.Width <= film.Width - part.X && part.Height <= film.Height - part.Y;
+        if (!isInside || part.Pixels > most)
         {
-            throw new SessionException($"The picture has {film.Width}×{film.Height} pixels.", SessionFault.Missing);
+            throw new SessionException($"The picture has {film.Width}×{film.Height} pixels, of which {most} at most are read.", SessionFault.Missing);
         }
 
         string letters = shown.Settings.Map.Image?.Letters ?? "RGB";
-        if (shown.Settings.Map.Image is not null)
+        double[] row = new double[film.Width * letters.Length];
+        List<PixelReading> readings = [];
+        for (int y = part.Y; y < part.Y + part.Height; y++)
         {
-            double[] row = new double[film.Width * letters.Length];
-            _maps.ReadRow(shown, film, y, row);
-            return Of(row.AsSpan(x * letters.Length, letters.Length));
+            ReadRow(shown, y, row);
+            readings.AddRange(Enumerable.Range(part.X, part.Width).Select(x => new PixelReading(
+                x, y, letters, [.. row.Skip(x * letters.Length).Take(letters.Length).Select(v => double.IsFinite(v) ? v : (double?)null)])));
         }
 
-        float[] light = new float[3 * film.Width];
-        ((shown.Settings.Map == ViewMap.Denoised ? _denoised.Of(shown) : null) ?? film).ReadRow(y, light);
-        return Of([light[3 * x], light[(3 * x) + 1], light[(3 * x) + 2]]);
+        return readings;
+    }
 
-        PixelReading Of(ReadOnlySpan<double> values) => new(x, y, letters, [.. values.ToArray().Select(v => double.IsFinite(v) ? v : (double?)null)]);
+    private void ReadRow(ViewportScene shown, int y, double[] row)
+    {
+        if (shown.Settings.Map.Image is not null)
+        {
+            _maps.ReadRow(shown, Film!, y, row);
+            return;
+        }
+
+        float[] light = new float[row.Length];
+        ((shown.Settings.Map == ViewMap.Denoised ? _denoised.Of(shown) : null) ?? Film!).ReadRow(y, light);
+        Array.ConvertAll(light, l => (double)l).CopyTo(row, 0);
     }
 
     // A paused picture is not rendered a second time behind the user's back.

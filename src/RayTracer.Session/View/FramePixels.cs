@@ -39,6 +39,22 @@ public static class FramePixels
         }
     }
 
+    /// <summary>A smaller picture.</summary>
+    /// <param name="picture">The picture.</param>
+    /// <param name="reduction">The number of pixels across and down that become one, if the picture has so many.</param>
+    public static LinearPicture Reduced(LinearPicture picture, int reduction)
+    {
+        reduction = Math.Min(reduction, Math.Min(picture.Width, picture.Height));
+        LinearPicture small = new();
+        small.Resize(picture.Width / reduction, picture.Height / reduction);
+        for (int y = 0; y < small.Height; y++)
+        {
+            Average(picture, y * reduction, reduction, small.Row(y));
+        }
+
+        return small;
+    }
+
     private static void Average(LinearPicture picture, int top, int reduction, Span<float> row)
     {
         row.Clear();

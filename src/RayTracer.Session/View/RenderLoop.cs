@@ -86,11 +86,10 @@ public sealed class RenderLoop : IDisposable
     /// <summary>The error of the picture against its samples.</summary>
     public Task<Convergence> Convergence() => ReadFilm((film, wanted, samples) => _work.Log.Errors(film, wanted.Area, samples));
 
-    /// <summary>The numbers of a pixel, as they are shown.</summary>
-    /// <param name="x">The pixel's column.</param>
-    /// <param name="y">The pixel's row.</param>
-    /// <exception cref="SessionException">There is no such pixel, or no picture yet.</exception>
-    public Task<PixelReading> Pixel(int x, int y) => ReadFilm((_, shown, _) => _work.Reading(shown, x, y));
+    /// <summary>The numbers of some pixels, as they are shown, row by row.</summary>
+    /// <param name="part">The pixels.</param>
+    /// <exception cref="SessionException">There are no such pixels, or too many of them, or no picture yet.</exception>
+    public Task<IReadOnlyList<PixelReading>> Pixels(Tile part) => ReadFilm((_, shown, _) => _work.Readings(shown, part));
 
     /// <inheritdoc/>
     public void Dispose()

@@ -12,6 +12,7 @@ public sealed class SnapshotList(PictureView view, TimeProvider time)
     private readonly Lock _lock = new();
     private readonly List<(Snapshot Snapshot, LinearPicture Picture, Tone Tone)> _kept = [];
     private int _lastId;
+    private (int Image, int Reference, PictureComparison Found)? _compared;
 
     /// <summary>Raised after each change.</summary>
     public event Action? Changed;
@@ -32,7 +33,8 @@ public sealed class SnapshotList(PictureView view, TimeProvider time)
         Snapshot snapshot;
         lock (_lock)
         {
-            snapshot = new(++_lastId, string.Create(CultureInfo.InvariantCulture, $"{samples} samples, {time.GetLocalNow():HH:mm:ss}")) { Document = document };
+            string name = SessionTexts.Of("compare.picture", ++_lastId);
+            snapshot = new(_lastId, name, samples, time.GetLocalNow().ToString("HH:mm:ss", CultureInfo.InvariantCulture)) { Document = document };
             _kept.Add((snapshot, picture, view.Tone));
             if (_kept.Count > Most)
             {
@@ -44,30 +46,93 @@ public sealed class SnapshotList(PictureView view, TimeProvider time)
         return snapshot;
     }
 
+    /// <summary>Gives a picture another name, or none.</summary>
+    /// <param name="id">The picture.</param>
+    /// <param name="name">Its name; null to keep it no longer.</param>
+    /// <exception cref="SessionException">It is not kept.</exception>
+    public void Rename(int id, string? name)
+    {
+        lock (_lock)
+        {
+            int at = _kept.IndexOf(Find(id));
+            if (name is null)
+            {
+                _kept.RemoveAt(at);
+            }
+            else if (!string.IsNullOrWhiteSpace(name))
+            {
+                _kept[at] = _kept[at] with { Snapshot = _kept[at].Snapshot with { Name = name.Trim() } };
+            }
+        }
+
+        Changed?.Invoke();
+    }
+
     /// <summary>A picture as a PNG.</summary>
     /// <exception cref="SessionException">It is not kept.</exception>
     public byte[] Png(int id)
     {
-        (LinearPicture? picture, Tone tone) = Find(id);
+        (_, LinearPicture picture, Tone tone) = Find(id);
         return ImageFile.Encode(".png", picture, tone.Writing);
     }
 
-    private (LinearPicture Picture, Tone Tone) Find(int id)
+    /// <summary>Compares two pictures.</summary>
+    /// <param name="image">The number of the one that is judged.</param>
+    /// <param name="reference">The number of the other.</param>
+    /// <exception cref="SessionException">One is not kept, or they differ in size.</exception>
+    public PictureComparison Compare(int image, int reference)
+    {
+        (LinearPicture a, LinearPicture b) = (Find(image).Picture, Find(reference).Picture);
+        if ((a.Width, a.Height) != (b.Width, b.Height))
+        {
+            throw new SessionException($"The pictures differ in size: {a.Width}×{a.Height} and {b.Width}×{b.Height} pixels.");
+        }
+
+        if (_lock.Read(() => _compared) is { } known && (known.Image, known.Reference) == (image, reference))
+        {
+            return known.Found;
+        }
+
+        ImageComparison light = ImageComparison.Compare(a, b);
+        FlipError flip = FlipError.Compare(ImageFile.Decode(Png(image)), ImageFile.Decode(Png(reference)));
+        PictureComparison found = new(light.Rmse, light.LargestDifference, light.LargestX, light.LargestY, flip.Mean) { Errors = flip };
+        _lock.Read(() => _compared = (image, reference, found));
+        return found;
+    }
+
+    /// <summary>A picture of how two pictures differ, as a PNG.</summary>
+    /// <param name="image">The number of the one that is judged.</param>
+    /// <param name="reference">The number of the other.</param>
+    /// <param name="map">What is shown.</param>
+    /// <exception cref="SessionException">One is not kept, or they differ in size.</exception>
+    public byte[] Png(int image, int reference, ComparisonMap map)
+    {
+        PictureComparison found = Compare(image, reference);
+        float scale = found.LargestDifference > 0 ? (float)(1 / found.LargestDifference) : 1;
+        return ImageFile.Encode(
+            ".png", map == ComparisonMap.Flip ? found.Errors! : new DifferenceRows(Find(image).Picture, Find(reference).Picture, scale), Tone.Plain.Writing);
+    }
+
+    private (Snapshot Snapshot, LinearPicture Picture, Tone Tone) Find(int id)
     {
         lock (_lock)
         {
-            return _kept.Find(k => k.Snapshot.Id == id) is { Picture: { } picture } found
-                ? (picture, found.Tone)
-                : throw new SessionException($"Snapshot {id} is not kept.", SessionFault.Missing);
+            int at = _kept.FindIndex(k => k.Snapshot.Id == id);
+            return at >= 0 ? _kept[at] : throw new SessionException($"Snapshot {id} is not kept.", SessionFault.Missing);
         }
     }
 }
 
 /// <summary>An earlier picture, kept for comparison.</summary>
 /// <param name="Id">Its number.</param>
-/// <param name="Label">A description in a few words.</param>
-public sealed record Snapshot(int Id, string Label)
+/// <param name="Name">Its name.</param>
+/// <param name="Samples">Samples in each pixel.</param>
+/// <param name="Time">The time of day when it was kept.</param>
+public sealed record Snapshot(int Id, string Name, int Samples, string Time)
 {
+    /// <summary>What it is, in a few words.</summary>
+    public string Label => SessionTexts.Of("compare.label", Name, Samples, Time);
+
     /// <summary>The number of the document that it shows.</summary>
     public int Document { get; init; }
 }

@@ -1,5 +1,7 @@
+using System.Collections.Immutable;
 using RayTracer.Description;
 using RayTracer.Imaging;
+using RayTracer.Numerics;
 using RayTracer.Rendering;
 
 namespace RayTracer.Session;
@@ -15,6 +17,9 @@ public sealed record ViewSettings(RenderMode Mode = RenderMode.Running, Tile? Re
 
     /// <summary>True if pictures are filtered while something moves; else coarse ones are shown as they are.</summary>
     public bool FiltersMotion { get; init; } = true;
+
+    /// <summary>The factors on the light of lights by their names, others are 1; null where they are not kept apart.</summary>
+    public ImmutableDictionary<string, Rgb>? LightFactors { get; init; }
 
     /// <summary>The map that is shown.</summary>
     public ViewMap Map { get; init; } = ViewMap.Light;

@@ -15,6 +15,8 @@ internal static class DocumentRequests
 
     public sealed record At(string? Pointer);
 
+    public sealed record Choice(string? Pointer, string[]? Pointers, bool Adds);
+
     public sealed record Many(string[]? Pointers);
 
     public sealed record Rename(string? Pointer, string? Name);

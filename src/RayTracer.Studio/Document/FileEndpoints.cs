@@ -60,6 +60,7 @@ internal static class FileEndpoints
         });
         api.MapGet("/file/recent", () => Results.Json(new { files = files.Recent.Select(p => new { path = p, name = Path.GetFileName(p) }) }));
         api.MapGet("/file/list", (string? path, bool? named) => files.List(path, named ?? false));
+        api.MapGet("/file/thumbnail", (string? path) => Results.Bytes(PictureThumbnail.Png(Needed(path, "path")), "image/png"));
         api.MapGet("/file/bundle", () =>
         {
             JsonText text = JsonText.Of(session.Document.Read);

@@ -3,6 +3,7 @@ using RayTracer.Imaging;
 using RayTracer.Jobs;
 using RayTracer.Rendering;
 using RayTracer.Session;
+using RayTracer.Textures;
 
 namespace RayTracer.Session.Tests;
 
@@ -114,6 +115,39 @@ public sealed class PictureSaverTests
         Assert.Equal(2, test.Session.Snapshots.All.Count);
         Assert.Throws<SessionException>(() => test.Session.Snapshots.Png(99));
     }
+
+    [Fact]
+    public async Task Two_snapshots_are_compared_as_the_command_compares_their_files()
+    {
+        using TestSession test = new();
+        await test.OpenShipped("report/scene1.json", 20, 4);
+        await test.Done();
+        SnapshotList kept = test.Session.Snapshots;
+        Snapshot first = await kept.Capture();
+        Assert.Equal(("Picture 1", 4), (first.Name, first.Samples));
+        Picture before = await Seen(test);
+        test.Session.View.Change(s => s with { Samples = 16 }, restart: true);
+        await test.Done();
+        int second = (await kept.Capture()).Id;
+
+        PictureComparison found = kept.Compare(first.Id, second);
+        ImageComparison light = ImageComparison.Compare(before, await Seen(test));
+        Assert.True(found.Rmse > 0);
+        Assert.Equal((light.Rmse, light.LargestDifference, light.LargestX, light.LargestY), (found.Rmse, found.LargestDifference, found.LargestX, found.LargestY));
+        Assert.Equal(FlipError.Compare(ImageFile.Decode(kept.Png(first.Id)), ImageFile.Decode(kept.Png(second))).Mean, found.Flip);
+        Picture difference = ImageFile.Decode(kept.Png(first.Id, second, ComparisonMap.Difference));
+        Assert.Equal(1, difference.Pixels.Max(), 1e-3f);
+        Assert.NotEqual(difference.Pixels, ImageFile.Decode(kept.Png(first.Id, second, ComparisonMap.Flip)).Pixels);
+        Assert.Equal(0, kept.Compare(second, second).Flip);
+
+        kept.Rename(first.Id, " the noisy one ");
+        Assert.Equal("the noisy one", kept.All[0].Name);
+        kept.Rename(first.Id, null);
+        Assert.Equal(second, Assert.Single(kept.All).Id);
+        Assert.Throws<SessionException>(() => kept.Compare(first.Id, second));
+    }
+
+    private static Task<Picture> Seen(TestSession test) => test.Session.View.Loop.ReadFilm((film, _, _) => film.ToPicture());
 
     private static async Task Save(TestSession test, string path, int? bitDepth, params string[] layers)
     {

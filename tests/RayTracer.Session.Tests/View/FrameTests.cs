@@ -47,7 +47,10 @@ public sealed class FrameTests
         await test.OpenShipped(Scene2, 50, 4);
         test.Session.View.Change(settings => settings with { Map = ViewMap.Named(map) });
         using FrameLease frame = await test.Frame(wanted: f => f.IsLast && f.IsLight == (map is "light" or "denoised"));
-        PixelReading reading = await test.Session.View.Loop.Pixel(20, 30);
+        PixelReading reading = Assert.Single(await test.Session.View.Loop.Pixels(new(20, 30, 1, 1)));
+        IReadOnlyList<PixelReading> around = await test.Session.View.Loop.Pixels(new(19, 29, 3, 2));
+        Assert.Equal([(19, 29), (20, 29), (21, 29), (19, 30), (20, 30), (21, 30)], around.Select(p => (p.X, p.Y)));
+        Assert.Equal(reading.Values, around[4].Values);
         Assert.Equal((20, 30, letters), (reading.X, reading.Y, reading.Letters));
         float[] row = new float[150];
         frame.Picture.ReadRow(30, row);
@@ -75,8 +78,8 @@ public sealed class FrameTests
                 break;
         }
 
-        await Assert.ThrowsAsync<SessionException>(() => test.Session.View.Loop.Pixel(50, 30));
-        await Assert.ThrowsAsync<SessionException>(() => test.Session.View.Loop.Pixel(-1, 30));
+        await Assert.ThrowsAsync<SessionException>(() => test.Session.View.Loop.Pixels(new(49, 30, 2, 1)));
+        await Assert.ThrowsAsync<SessionException>(() => test.Session.View.Loop.Pixels(new(-1, 30, 1, 1)));
     }
 
     [Fact]

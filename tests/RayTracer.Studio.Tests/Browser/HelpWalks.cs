@@ -22,8 +22,15 @@ public class HelpWalks(ChromiumBrowser browser)
         await w.Page.Keyboard.PressAsync("F1");
         await Expect(page.Locator("#sphere")).ToBeInViewportAsync();
         await w.Shot("help-type");
+        Assert.Equal("#help=scene-format&section=sphere", await w.Page.EvaluateAsync<string>("location.hash"));
         await w.Page.Keyboard.PressAsync("Escape");
         await Expect(w.Page.GetByRole(AriaRole.Dialog)).ToHaveCountAsync(0);
+        Assert.Equal("", await w.Page.EvaluateAsync<string>("location.hash"));
+
+        // A link opens the page.
+        await w.Page.EvaluateAsync("location.hash = '#help=studio&section=films'");
+        await Expect(page.Locator("#films")).ToBeInViewportAsync();
+        await w.Page.Keyboard.PressAsync("Escape");
 
         // From within a dialog, which keeps what was typed.
         await w.Page.Keyboard.PressAsync("Control+Shift+S");

@@ -40,6 +40,27 @@ public class LightWalks(ChromiumBrowser browser)
         await w.Text("one step takes the aim back", t => t == wide);
     }
 
+    [SkippableFact]
+    public async Task The_lights_of_the_running_picture_are_balanced_and_written_into_the_scene()
+    {
+        await using StudioWindow w = await StudioWindow.Open(browser, "report/scene2");
+        await w.Painted();
+        string before = w.Session.Document.Text;
+        await w.Tab("Lights");
+        await w.Button("Balance lights").ClickAsync();
+        ILocator left = w.Page.GetByRole(AriaRole.Slider, new() { Name = "Strength of left_front_lamp" });
+        await left.FillAsync("0.25");
+        await w.Page.GetByRole(AriaRole.Slider, new() { Name = "Strength of right_back_lamp" }).FillAsync("2");
+        await StudioWindow.Until("the factors arrive", () => Task.FromResult(w.Session.Mixer.Lights is { } l && l.Any(x => x.Factor.R == 0.25f) && l.Any(x => x.Factor.R == 2)));
+        Assert.Equal(before, w.Session.Document.Text);
+        await w.Shot("mixer", isShown: true);
+        await w.Button("Write into the scene").ClickAsync();
+        await w.Text("two lamps have materials of their own", t => t.Contains("\"multiplier\": 2.75", StringComparison.Ordinal) && t.Contains("\"multiplier\": 22", StringComparison.Ordinal));
+        await Expect(left).ToHaveValueAsync("1");
+        await w.Page.Keyboard.PressAsync("Control+z");
+        await w.Text("one step takes it back", t => t == before);
+    }
+
     [ThoroughFact]
     [Trait("Category", "Thorough")]
     public async Task Lights_and_what_surrounds_the_scene_are_added_and_changed()

@@ -68,6 +68,36 @@ public class SceneWalks(ChromiumBrowser browser)
         await w.Painted();
     }
 
+    [SkippableFact]
+    public async Task Several_things_are_selected_moved_copied_and_deleted_together()
+    {
+        await using StudioWindow w = await StudioWindow.Open(browser, "report/scene2");
+        await w.Painted();
+        string before = w.Session.Document.Text;
+        ILocator Row(string name) => w.Page.GetByRole(AriaRole.Treeitem, new() { NameRegex = new($"^{name}") });
+        await Row("red ball").ClickAsync();
+        await Row("glass ball").ClickAsync(new() { Modifiers = [KeyboardModifier.Control] });
+        await Expect(Row("red ball")).ToHaveAttributeAsync("aria-selected", "true");
+        await Expect(w.Page.GetByText("2 things are selected.")).ToBeVisibleAsync();
+        (float x, float y) = await w.Point(0.66, 0.56);
+        await w.Page.Keyboard.DownAsync("Shift");
+        await w.Page.Mouse.ClickAsync(x, y);
+        await w.Page.Keyboard.UpAsync("Shift");
+        await Expect(Row("chrome ball")).ToHaveAttributeAsync("aria-selected", "true");
+        await w.Shot("several", isShown: true);
+
+        await w.Button("Move").ClickAsync();
+        await w.Page.GetByRole(AriaRole.Slider, new() { Name = "Move along x" }).PressAsync("ArrowRight");
+        await w.Text("all three have moved", t => new[] { "[1.45, 1, 0]", "[-0.85, 0.9, 1.3]", "[-0.45, 0.6, -1.1]" }.All(t.Contains));
+        await w.Page.Keyboard.PressAsync("Control+z");
+        await w.Text("one step takes them back", t => t == before);
+        await w.Page.Keyboard.PressAsync("Control+d");
+        await w.Text("all three have copies", t => new[] { "chrome ball 2", "glass ball 2", "red ball 2" }.All(t.Contains));
+        await Expect(Row("red ball 2")).ToHaveAttributeAsync("aria-selected", "true");
+        await w.Page.Keyboard.PressAsync("Delete");
+        await w.Text("the copies are gone", t => !t.Contains("ball 2", StringComparison.Ordinal));
+    }
+
     [ThoroughFact]
     [Trait("Category", "Thorough")]
     public async Task A_colour_that_is_edited_shows()

@@ -3,6 +3,7 @@ using Microsoft.Playwright;
 using RayTracer.Description;
 using RayTracer.Imaging;
 using RayTracer.Session;
+using RayTracer.Shapes;
 using static Microsoft.Playwright.Assertions;
 
 namespace RayTracer.Studio.Tests.Browser;
@@ -174,11 +175,60 @@ public class ViewportWalks(ChromiumBrowser browser)
         await using StudioWindow w = await StudioWindow.Open(browser, "report/scene2");
         await w.Painted(2);
         await w.Button("Keep for comparison").ClickAsync();
-        await w.Page.GetByRole(AriaRole.Combobox, new() { Name = "Compare with" }).SelectOptionAsync(new SelectOptionValue { Index = 1 });
         await w.Drag(0.4, 0.8, 0.5, 0.8);
         await w.Painted();
         await Expect(w.Page.GetByRole(AriaRole.Img, new() { Name = "The kept picture" })).ToBeVisibleAsync();
         await w.Shot("wipe", isShown: true);
+    }
+
+    [SkippableFact]
+    public async Task Two_kept_pictures_are_compared_and_enlarged_pixels_have_numbers()
+    {
+        await using StudioWindow w = await StudioWindow.Open(browser, "primer/01-sphere");
+        await w.Painted();
+        await w.Tab("Compare");
+        ILocator pane = w.Page.GetByRole(AriaRole.Tabpanel, new() { Name = "Compare" });
+        await Expect(pane).ToContainTextAsync("Keep a picture (K)");
+        await pane.GetByRole(AriaRole.Button, new() { Name = "Keep for comparison" }).ClickAsync();
+        await Expect(pane).ToContainTextAsync("keep another one");
+        w.Session.Edits.Set("/shapes/0/radius", 0.6);
+        await StudioWindow.Until("the ball is smaller", () => w.Session.View.Loop.ReadFilm((_, shown, samples) => samples >= 16 && shown.Description.Shapes.OfType<SphereDescription>().Any(s => s.Radius == 0.6f)));
+        await w.Page.Keyboard.PressAsync("k");
+        await StudioWindow.Until("two are kept", () => Task.FromResult(w.Session.Snapshots.All.Count == 2));
+        Snapshot[] kept = [.. w.Session.Snapshots.All];
+
+        await pane.GetByRole(AriaRole.Combobox, new() { Name = "Left" }).SelectOptionAsync($"{kept[0].Id}");
+        await pane.GetByRole(AriaRole.Combobox, new() { Name = "Right" }).SelectOptionAsync($"{kept[^1].Id}");
+        await Expect(w.Page.GetByRole(AriaRole.Slider, new() { Name = "Wipe position" })).ToBeVisibleAsync();
+        PictureComparison found = w.Session.Snapshots.Compare(kept[0].Id, kept[^1].Id);
+        Assert.True(found.Flip > 0);
+        await Expect(pane.GetByRole(AriaRole.Status)).ToHaveTextAsync(new Regex("^RMSE [0-9.e-]+, FLIP [0-9.e-]+$"));
+        await pane.GetByRole(AriaRole.Radio, new() { Name = "FLIP" }).ClickAsync();
+        ILocator errors = w.Page.GetByRole(AriaRole.Img, new() { Name = "FLIP", Exact = true });
+        await StudioWindow.Until("the errors are there", async () => await errors.CountAsync() == 1 && await errors.EvaluateAsync<bool>("i => i.complete && i.naturalWidth > 0"));
+        await w.Shot("compare", isShown: true);
+        await pane.GetByRole(AriaRole.Radio, new() { Name = "Difference" }).ClickAsync();
+        await Expect(pane).ToContainTextAsync($"at pixel {found.LargestX}, {found.LargestY}");
+        ILocator name = pane.GetByRole(AriaRole.Textbox, new() { Name = "Name of the picture" }).First;
+        await name.FillAsync("large ball");
+        await name.PressAsync("Enter");
+        await StudioWindow.Until("it has its name", () => Task.FromResult(w.Session.Snapshots.All[0].Name == "large ball"));
+        await pane.GetByRole(AriaRole.Button, new() { Name = "Keep no longer: large ball" }).ClickAsync();
+        await Expect(w.Page.GetByRole(AriaRole.Img, new() { Name = "Difference" })).ToHaveCountAsync(0);
+
+        await w.Button("Display").ClickAsync();
+        await Expect(w.Page.Locator(".histogram")).ToContainTextAsync("of the pixels are black");
+        await w.Shot("histogram");
+        await w.Page.Keyboard.PressAsync("Escape");
+        await w.Page.GetByRole(AriaRole.Combobox, new() { Name = "Zoom", Exact = true }).SelectOptionAsync("6400");
+        ILocator numbers = w.Page.Locator(".pixel-values > span");
+        await Expect(numbers.First).ToHaveTextAsync(new Regex("^[0-9.e-]+$"));
+        await w.Shot("pixel-values");
+        await w.Button("Fit picture to window").ClickAsync();
+        await Expect(numbers).ToHaveCountAsync(0);
+        await w.Page.SetViewportSizeAsync(900, 700);
+        await w.Page.EmulateMediaAsync(new() { ColorScheme = ColorScheme.Dark });
+        await w.Shot("compare-900");
     }
 
     [ThoroughFact]

@@ -47,11 +47,15 @@ public sealed class DocumentEndpointsTests : IAsyncLifetime
         Assert.Contains("\"lens\": { /* thin */ \"apertureRadius\": 0.1 }", _session.Document.Text, StringComparison.Ordinal);
         await Post("/api/document/set", """{ "pointer": "/camera/lens", "value": null, "reset": true }""");
         Assert.Equal(text.Replace("\"radius\": 0.7,", "\"radius\": 0.95,", StringComparison.Ordinal), _session.Document.Text);
-        string copy = (await Post("/api/document/duplicate", """{ "pointer": "/shapes/1" }""")).GetProperty("pointer").GetString()!;
+        string copy = (await Post("/api/document/duplicate", """{ "pointers": ["/shapes/1"] }""")).GetProperty("pointers")[0].GetString()!;
         await Post("/api/document/place", $$"""{ "pointer": "{{copy}}", "translate": [0, 1, 0], "rotate": { "axis": [0, 1, 0], "degrees": 90 }, "scale": [2, 2, 2], "gesture": "h" }""");
         Assert.Equal("1", (await Get($"/api/value?pointer={copy}")).GetProperty("effective").GetProperty("radius").GetRawText());
         await Post("/api/select", $$"""{ "pointer": "{{copy}}" }""");
         Assert.Equal(copy, _session.Selection.Pointer);
+        await Post("/api/select", """{ "pointer": "/shapes/0", "adds": true }""");
+        Assert.Equal([copy, "/shapes/0"], _session.Selection.All);
+        await Post("/api/select", """{ "pointers": [] }""");
+        Assert.Null(_session.Selection.Pointer);
         await Post("/api/document/rename", """{ "pointer": "/materials/clay", "name": "mud" }""");
         JsonElement deleted = await Post("/api/document/delete", """{ "pointers": ["/materials/mud"] }""");
         Assert.Contains("3 references", deleted.GetProperty("notes")[0].GetString(), StringComparison.Ordinal);
@@ -158,6 +162,8 @@ public sealed class DocumentEndpointsTests : IAsyncLifetime
         Assert.Equal(("number", 0, true, "1"), (radius.GetProperty("kind").GetString(), radius.GetProperty("minimum").GetInt32(), radius.GetProperty("minimumIsExclusive").GetBoolean(), radius.GetProperty("default").GetRawText()));
         Assert.Equal(JsonValueKind.Null, radius.GetProperty("maximum").ValueKind);
         Assert.Equal(_folder.FullName, (await Get("/api/file/list")).GetProperty("path").GetString());
+        using HttpResponseMessage small = await _client.GetAsync(new Uri($"/api/file/thumbnail?path={Uri.EscapeDataString(ProjectFolder.PathOf("docs", "studio", "start.png"))}", UriKind.Relative));
+        Assert.Equal("image/png", small.Content.Headers.ContentType!.MediaType);
         await Post("/api/file/open", """{ "galleryId": "report/scene1.json" }""");
         using ZipArchive zip = new(new MemoryStream(await _client.GetByteArrayAsync("/api/file/bundle")));
         Assert.Equal(["files/globe.png", "scene.json"], zip.Entries.Select(e => e.FullName).Order(StringComparer.Ordinal));

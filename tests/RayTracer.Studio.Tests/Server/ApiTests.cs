@@ -110,6 +110,11 @@ public sealed class ApiTests
         int id = (await server.Post("/api/view/snapshot", new { })).GetProperty("id").GetInt32();
         using HttpResponseMessage png = await server.Send(HttpMethod.Get, $"/api/view/snapshot?id={id}");
         Assert.Equal("image/png", png.Content.Headers.ContentType!.MediaType);
+        Assert.Equal(0, (await server.Get($"/api/view/compare?image={id}&reference={id}")).GetProperty("flip").GetDouble());
+        using HttpResponseMessage map = await server.Send(HttpMethod.Get, $"/api/view/compare/picture?image={id}&reference={id}&map=flip");
+        Assert.Equal("image/png", map.Content.Headers.ContentType!.MediaType);
+        await server.Post("/api/view/snapshot/rename", new { id, name = "kept" });
+        Assert.Equal("kept", (await server.Get("/api/state")).GetProperty("snapshots")[0].GetProperty("name").GetString());
     }
 
     [Fact]

@@ -22,7 +22,7 @@ public sealed class PageTypesTests
 
     private static readonly Type[] s_sent =
     [
-        typeof(StudioState), typeof(Outline), typeof(TypeCatalogue), typeof(PropertyValues), typeof(PickResult), typeof(PixelMask), typeof(PixelReading), typeof(GizmoHandles), typeof(LightBody), typeof(LightDrag),
+        typeof(StudioState), typeof(Outline), typeof(TypeCatalogue), typeof(PropertyValues), typeof(PickResult), typeof(PixelMask), typeof(PixelReading), typeof(PictureComparison), typeof(ComparisonMap), typeof(GizmoHandles), typeof(LightBody), typeof(LightDrag),
         typeof(HandleDrag), typeof(InspectedPixel), typeof(PixelSummary), typeof(TreeWalk), typeof(WireframeView), typeof(Convergence), typeof(FolderListing), typeof(MeasuredTimes), typeof(PictureFormat), typeof(TimelineRows), typeof(KeyChoice), typeof(MotionPaths), typeof(HelpIndex), typeof(HelpPage), typeof(HelpFindings),
     ];
 

@@ -37,6 +37,7 @@ internal static class EdgeFilter
         Pixels middle = new(from, guides, at);
         Vector<float> deviation = Vector<float>.One / ((Vector.SquareRoot(middle.Variance) * Deviations) + (middle.Luminance * 0.01f) + new Vector<float>(1e-4f));
         Sums sums = default;
+        sums.Add(middle, new(s_kernel[1] * s_kernel[1]));
         for (int dy = -1; dy <= 1; dy++)
         {
             int row = y + (dy * step);
@@ -47,6 +48,11 @@ internal static class EdgeFilter
 
             for (int dx = -1; dx <= 1; dx++)
             {
+                if ((dx, dy) == (0, 0))
+                {
+                    continue;
+                }
+
                 float share = s_kernel[dx + 1] * s_kernel[dy + 1];
                 Pixels other = new(from, guides, at + (dy * step * from.Stride) + (dx * step));
                 sums.Add(other, share * Alike(middle, other, deviation, step));

@@ -1,4 +1,5 @@
 using System.Numerics;
+using System.Runtime.CompilerServices;
 using RayTracer.Rendering;
 
 namespace RayTracer.Session;
@@ -17,16 +18,18 @@ internal sealed class MovingHistory
 
     // Standard errors by which the old mean of a square may differ from the new one.
     private const float Trusted = 2;
-    private readonly float[] _red, _green, _blue, _first, _second, _length;
+
+    // Red, green, blue, and how many pictures have been gathered; the means of the luminance and of its square.
+    private readonly Vector4[] _light;
+    private readonly Vector2[] _moments;
 
     /// <summary>Makes room.</summary>
     public MovingHistory(MovingPlanes like)
     {
         Like = like;
-        (_red, _green, _blue, _first, _second, _length) =
-            (new float[like.Size], new float[like.Size], new float[like.Size], new float[like.Size], new float[like.Size], new float[like.Size]);
+        int pixels = like.Width * like.Height;
+        (_light, _moments, Things) = (new Vector4[pixels], new Vector2[pixels], new int[pixels]);
         Seen = new(like.Width, like.Height);
-        Things = new int[like.Width * like.Height];
     }
 
     /// <summary>Planes of the same size.</summary>
@@ -39,17 +42,23 @@ internal sealed class MovingHistory
     public int[] Things { get; }
 
     /// <summary>How many pictures a pixel has gathered.</summary>
-    public float LengthAt(int x, int y) => _length[Like.At(x, y)];
-
-    /// <summary>Nothing is carried over.</summary>
-    public void Forget() => Array.Clear(_length);
+    public float LengthAt(int x, int y) => _light[(y * Like.Width) + x].W;
 
     /// <summary>Keeps smoother light for the next picture.</summary>
     public void Keep(MovingPlanes light)
     {
-        light.Red.CopyTo(_red);
-        light.Green.CopyTo(_green);
-        light.Blue.CopyTo(_blue);
+        for (int y = 0; y < Like.Height; y++)
+        {
+            int at = Like.At(0, y);
+            Span<Vector4> to = _light.AsSpan(y * Like.Width, Like.Width);
+            Span<float> red = light.Red[at..];
+            Span<float> green = light.Green[at..];
+            Span<float> blue = light.Blue[at..];
+            for (int x = 0; x < to.Length; x++)
+            {
+                to[x] = new(red[x], green[x], blue[x], to[x].W);
+            }
+        }
     }
 
     /// <summary>Mixes the new light of some rows with the old.</summary>
@@ -58,101 +67,95 @@ internal sealed class MovingHistory
     /// <param name="where">Finds where in the earlier picture a pixel was, and the point that was there.</param>
     /// <param name="square">The row of squares.</param>
     /// <param name="most">The most earlier pictures that count.</param>
-    public void Mix(MovingHistory before, MovingPlanes light, IEarlierPlace where, int square, float most)
+    public void Mix(MovingHistory before, MovingPlanes light, in EarlierPlace where, int square, float most)
     {
-        int bottom = Math.Min(Like.Height, (square + 1) * Square);
+        (int top, int bottom) = (square * Square, Math.Min(Like.Height, (square + 1) * Square));
+        Span<float> red = light.Red;
+        Span<float> green = light.Green;
+        Span<float> blue = light.Blue;
         for (int left = 0; left < Like.Width; left += Square)
         {
             int right = Math.Min(Like.Width, left + Square);
             Statistics statistics = default;
-            for (int y = square * Square; y < bottom; y++)
+            for (int y = top; y < bottom; y++)
             {
                 for (int x = left; x < right; x++)
                 {
-                    Find(before, where, x, y);
-                    statistics.Add(light, _first, _length, Like.At(x, y));
+                    (int pixel, int at) = ((y * Like.Width) + x, Like.At(x, y));
+                    Find(before, where, x, y, pixel);
+                    statistics.Add(MovingPlanes.Luminance(new(red[at], green[at], blue[at])), _moments[pixel].X, _light[pixel].W > 0);
                 }
             }
 
             float trust = statistics.Trust(Trusted);
-            for (int y = square * Square; y < bottom; y++)
+            for (int y = top; y < bottom; y++)
             {
-                for (int x = left; x < right; x++)
-                {
-                    Mix(light, x, y, Math.Min(most, Longest) * trust, statistics.Variance);
-                }
+                Mix(light, y, left, right, Math.Min(most, Longest) * trust, statistics.Variance);
             }
         }
     }
 
-    private void Mix(MovingPlanes light, int x, int y, float most, float variance)
+    private void Mix(MovingPlanes light, int y, int left, int right, float most, float variance)
     {
-        int at = Like.At(x, y);
-        float length = Math.Min(_length[at], most) + 1;
-        float share = 1 / length;
-        Vector3 color = Vector3.Lerp(new(_red[at], _green[at], _blue[at]), new(light.Red[at], light.Green[at], light.Blue[at]), share);
-        float luminance = MovingPlanes.Luminance(new(light.Red[at], light.Green[at], light.Blue[at]));
-        _first[at] += (luminance - _first[at]) * share;
-        _second[at] += ((luminance * luminance) - _second[at]) * share;
-        _length[at] = length;
-        (light.Red[at], light.Green[at], light.Blue[at]) = (color.X, color.Y, color.Z);
+        Span<float> red = light.Red;
+        Span<float> green = light.Green;
+        Span<float> blue = light.Blue;
+        Span<float> variances = light.Variance;
+        for (int x = left; x < right; x++)
+        {
+            (int pixel, int at) = ((y * Like.Width) + x, Like.At(x, y));
+            Vector4 old = _light[pixel];
+            float length = Math.Min(old.W, most) + 1;
+            float share = 1 / length;
+            Vector3 color = new(red[at], green[at], blue[at]);
+            float luminance = MovingPlanes.Luminance(color);
+            Vector2 moments = _moments[pixel] + ((new Vector2(luminance, luminance * luminance) - _moments[pixel]) * share);
+            Vector3 mixed = old.AsVector3() + ((color - old.AsVector3()) * share);
+            (_light[pixel], _moments[pixel]) = (new(mixed, length), moments);
+            (red[at], green[at], blue[at]) = (mixed.X, mixed.Y, mixed.Z);
 
-        // A short history knows little of its noise: that of the square is taken.
-        float own = Math.Max(0, _second[at] - (_first[at] * _first[at]));
-        float known = Math.Clamp((length - 2) / 4, 0, 1);
-        light.Variance[at] = Things[(y * Like.Width) + x] == 0 ? 0 : ((own * known) + (variance * (1 - known))) * share;
+            // A short history knows little of its noise: that of the square is taken.
+            float own = Math.Max(0, moments.Y - (moments.X * moments.X));
+            float known = Math.Clamp((length - 2) / 4, 0, 1);
+            variances[at] = Things[pixel] == 0 ? 0 : ((own * known) + (variance * (1 - known))) * share;
+        }
     }
 
     // Takes the history of a pixel from where it was, a mean of the four pixels around.
-    private void Find(MovingHistory before, IEarlierPlace where, int x, int y)
+    private void Find(MovingHistory before, in EarlierPlace where, int x, int y, int pixel)
     {
-        int pixel = (y * Like.Width) + x;
-        int at = Like.At(x, y);
-        (Vector3 color, float first, float second, float length, float sum) = (default, 0, 0, 0, 0);
-        if (where.Of(x, y, out Vector2 place, out Vector3 point))
+        (Vector4 light, Vector2 moments, float sum) = (default, default, 0);
+        Vector3 here = Seen.Point[pixel];
+        if (where.Of(x, y, Things[pixel], here, out Vector2 place, out Vector3 point))
         {
             (float fx, float fy) = (place.X - 0.5f, place.Y - 0.5f);
             (int x0, int y0) = ((int)MathF.Floor(fx), (int)MathF.Floor(fy));
             (fx, fy) = (fx - x0, fy - y0);
+            Place same = new(Things[pixel], Seen.Normal[pixel], point, 0.02f * (here - Seen.Eye).Length());
             for (int i = 0; i < 4; i++)
             {
                 (int px, int py) = (x0 + (i & 1), y0 + (i >> 1));
                 float weight = ((i & 1) == 0 ? 1 - fx : fx) * (i < 2 ? 1 - fy : fy);
-                if (weight == 0 || px < 0 || py < 0 || px >= Like.Width || py >= Like.Height || !IsSame(before, pixel, (py * Like.Width) + px, point))
+                int other = (py * Like.Width) + px;
+                if (weight != 0 && (uint)px < (uint)Like.Width && (uint)py < (uint)Like.Height && same.IsAt(before, other))
                 {
-                    continue;
+                    light += before._light[other] * weight;
+                    moments += before._moments[other] * weight;
+                    sum += weight;
                 }
-
-                int from = Like.At(px, py);
-                color += new Vector3(before._red[from], before._green[from], before._blue[from]) * weight;
-                first += before._first[from] * weight;
-                second += before._second[from] * weight;
-                length += before._length[from] * weight;
-                sum += weight;
             }
         }
 
         float scale = sum > 0.02f ? 1 / sum : 0;
-        (_red[at], _green[at], _blue[at]) = (color.X * scale, color.Y * scale, color.Z * scale);
-        (_first[at], _second[at], _length[at]) = (first * scale, second * scale, length * scale);
+        (_light[pixel], _moments[pixel]) = (light * scale, moments * scale);
     }
 
-    private bool IsSame(MovingHistory before, int pixel, int other, Vector3 point)
+    // A piece of a surface: another is the same within a part of the distance, along its normal.
+    private readonly ref struct Place(int thing, Vector3 normal, Vector3 point, float near)
     {
-        if (Things[pixel] != before.Things[other])
-        {
-            return false;
-        }
-
-        if (Things[pixel] == 0)
-        {
-            return true;
-        }
-
-        // Within a part of the distance of the plane of its surface.
-        Vector3 normal = Seen.Normal[pixel];
-        float size = (Seen.Point[pixel] - Seen.Eye).Length();
-        return Vector3.Dot(normal, before.Seen.Normal[other]) > 0.8f && MathF.Abs(Vector3.Dot(before.Seen.Point[other] - point, normal)) < 0.02f * size;
+        [MethodImpl(MethodImplOptions.AggressiveInlining)]
+        public bool IsAt(MovingHistory before, int pixel) => thing == before.Things[pixel]
+            && (thing == 0 || (Vector3.Dot(normal, before.Seen.Normal[pixel]) > 0.8f && MathF.Abs(Vector3.Dot(before.Seen.Point[pixel] - point, normal)) < near));
     }
 
     private ref struct Statistics
@@ -161,13 +164,12 @@ internal sealed class MovingHistory
 
         public readonly float Variance => _count > 0 ? Math.Max(0, (_square / _count) - (_new / _count * _new / _count)) : 0;
 
-        public void Add(MovingPlanes light, float[] old, float[] length, int at)
+        public void Add(float luminance, float old, bool hasOld)
         {
-            float luminance = MovingPlanes.Luminance(new(light.Red[at], light.Green[at], light.Blue[at]));
             (_new, _square, _count) = (_new + luminance, _square + (luminance * luminance), _count + 1);
-            if (length[at] > 0)
+            if (hasOld)
             {
-                (_old, _both) = (_old + luminance - old[at], _both + 1);
+                (_old, _both) = (_old + luminance - old, _both + 1);
             }
         }
 
@@ -186,13 +188,38 @@ internal sealed class MovingHistory
 }
 
 /// <summary>Finds where things were in the picture before.</summary>
-internal interface IEarlierPlace
+/// <param name="before">The camera then; null where nothing is known of it.</param>
+/// <param name="camera">The camera now.</param>
+/// <param name="things">How the things have moved.</param>
+internal readonly struct EarlierPlace(MovingCamera? before, MovingCamera? camera, MovingThings things)
 {
+    private readonly bool _isStill = !things.HaveMoved && before is not null && camera?.IsAt(before) == true;
+
     /// <summary>Finds where what a pixel shows was.</summary>
     /// <param name="x">The pixel's column.</param>
     /// <param name="y">Its row.</param>
+    /// <param name="thing">The thing that is there.</param>
+    /// <param name="now">The point that is seen.</param>
     /// <param name="place">The place in the earlier picture, in pixels.</param>
     /// <param name="point">The point that the thing had there then.</param>
     /// <returns>False if it was not in the picture.</returns>
-    bool Of(int x, int y, out Vector2 place, out Vector3 point);
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public bool Of(int x, int y, int thing, Vector3 now, out Vector2 place, out Vector3 point)
+    {
+        point = things.Before(thing, now);
+        place = new(x + 0.5f, y + 0.5f);
+        if (_isStill)
+        {
+            return true;
+        }
+
+        if (before is null || camera is null || !before.TryProject(point, out Vector2 there) || !camera.TryProject(now, out Vector2 here))
+        {
+            return false;
+        }
+
+        // The sample's place within its pixel is none of the movement's.
+        place += there - here;
+        return true;
+    }
 }

@@ -8,7 +8,7 @@ namespace RayTracer.Session;
 /// The pictures while something moves: few samples, with what the pictures before have gathered, and filtered. The film knows nothing of it. All on the
 /// render loop's thread; its memory is used again.
 /// </summary>
-internal sealed class MovingView : IEarlierPlace
+internal sealed class MovingView
 {
     /// <summary>The fewest samples of a picture, where the picture has as many pixels.</summary>
     public const int LeastSamples = 400 * 300;
@@ -29,7 +29,6 @@ internal sealed class MovingView : IEarlierPlace
     private MovingCamera? _before;
     private MovingHistory _now = null!;
     private int _pictures;
-    private bool _isStill;
 
     /// <summary>Processor time of the last picture's parts, for measurements: tracing and filter.</summary>
     public (TimeSpan Tracing, TimeSpan Filter) Cost { get; private set; }
@@ -78,28 +77,6 @@ internal sealed class MovingView : IEarlierPlace
         return true;
     }
 
-    /// <inheritdoc/>
-    public bool Of(int x, int y, out Vector2 place, out Vector3 point)
-    {
-        SeenPlanes seen = _now.Seen;
-        int pixel = (y * seen.Width) + x;
-        point = _things.Before(_now.Things[pixel], seen.Point[pixel]);
-        place = new(x + 0.5f, y + 0.5f);
-        if (_isStill)
-        {
-            return true;
-        }
-
-        if (_before is not { } before || _camera is not { } camera || !before.TryProject(point, out Vector2 there) || !camera.TryProject(seen.Point[pixel], out Vector2 here))
-        {
-            return false;
-        }
-
-        // The sample's place within its pixel is none of the movement's.
-        place += there - here;
-        return true;
-    }
-
     private void Prepare(int width, int height, RenderDescription render)
     {
         IReadOnlyList<FilmPlane> planes = FilmPlane.Needed(Traced(render));
@@ -131,7 +108,6 @@ internal sealed class MovingView : IEarlierPlace
 
         _now = _histories[_pictures % 2];
         (_before, _camera) = (_camera, CameraOf(wanted, width, height));
-        _isStill = !_things.HaveMoved && _before is not null && _camera?.IsAt(_before) == true;
         _now.Seen.Eye = _camera?.Eye ?? wanted.Camera.Position;
         new FirstHitPass(scene, options).Take(_now.Seen, sample);
         return true;
@@ -147,8 +123,9 @@ internal sealed class MovingView : IEarlierPlace
         (MovingPlanes light, MovingPlanes other) = (_planes[0], _planes[1]);
         MovingRows.ForEach(light.Height, threads, y => Divide(wanted, light, y));
         MovingHistory before = _histories[(_pictures + 1) % 2];
+        EarlierPlace where = new(_before, _camera, _things);
         Parallel.For(0, (light.Height + MovingHistory.Square - 1) / MovingHistory.Square, new ParallelOptions { MaxDegreeOfParallelism = threads }, square =>
-            _now.Mix(before, light, this, square, most));
+            _now.Mix(before, light, where, square, most));
         foreach (int step in s_steps)
         {
             EdgeFilter.Smooth(light, _guides!, step, other, threads);
@@ -166,32 +143,45 @@ internal sealed class MovingView : IEarlierPlace
     private void Divide(ViewportScene wanted, MovingPlanes light, int y)
     {
         SeenPlanes seen = _now.Seen;
-        for (int x = 0; x < light.Width; x++)
+        MovingGuides guides = _guides!;
+        Span<float> red = light.Red;
+        Span<float> green = light.Green;
+        Span<float> blue = light.Blue;
+        (int pixel, int at) = (y * light.Width, light.At(0, y));
+        for (int x = 0; x < light.Width; x++, pixel++, at++)
         {
-            (int pixel, int at) = ((y * light.Width) + x, light.At(x, y));
             RayTracer.Numerics.Rgb mean = _film!.Mean(x, y);
             Vector3 color = new Vector3(mean.R, mean.G, mean.B) / Vector3.Max(seen.Albedo[pixel], new(DarkestAlbedo));
-            (light.Red[at], light.Green[at], light.Blue[at]) = (color.X, color.Y, color.Z);
+            (red[at], green[at], blue[at]) = (color.X, color.Y, color.Z);
             int thing = _things.Of(wanted, seen.Surface[pixel]);
-            (_now.Things[pixel], _guides!.Thing[at]) = (thing, thing);
+            (_now.Things[pixel], guides.Thing[at]) = (thing, thing);
             Vector3 normal = seen.Normal[pixel];
-            (_guides.NormalX[at], _guides.NormalY[at], _guides.NormalZ[at]) = (normal.X, normal.Y, normal.Z);
-            _guides.Depth[at] = MathF.Log2((seen.Point[pixel] - seen.Eye).Length() + 1e-6f);
+            (guides.NormalX[at], guides.NormalY[at], guides.NormalZ[at]) = (normal.X, normal.Y, normal.Z);
+            guides.Depth[at] = (seen.Point[pixel] - seen.Eye).LengthSquared();
+        }
+
+        for (int x = light.At(0, y); x < at; x += Vector<float>.Count)
+        {
+            ref float depth = ref guides.Depth[x];
+            (Vector.Log2(Vector.LoadUnsafe(ref depth) + new Vector<float>(1e-12f)) * 0.5f).StoreUnsafe(ref depth);
         }
     }
 
     private void Write(MovingPlanes light, LinearPicture to)
     {
         to.Resize(light.Width, light.Height);
-        Vector3[] albedo = _now.Seen.Albedo;
+        ReadOnlySpan<Vector3> albedo = _now.Seen.Albedo;
         for (int y = 0; y < light.Height; y++)
         {
+            int at = light.At(0, y);
             Span<float> row = to.Row(y);
+            Span<float> red = light.Red[at..];
+            Span<float> green = light.Green[at..];
+            Span<float> blue = light.Blue[at..];
             for (int x = 0; x < light.Width; x++)
             {
-                int at = light.At(x, y);
-                Vector3 color = new Vector3(light.Red[at], light.Green[at], light.Blue[at]) * Vector3.Max(albedo[(y * light.Width) + x], new(DarkestAlbedo));
-                (row[3 * x], row[(3 * x) + 1], row[(3 * x) + 2]) = (color.X, color.Y, color.Z);
+                Vector3 color = new Vector3(red[x], green[x], blue[x]) * Vector3.Max(albedo[(y * light.Width) + x], new(DarkestAlbedo));
+                color.CopyTo(row[(3 * x)..]);
             }
         }
     }

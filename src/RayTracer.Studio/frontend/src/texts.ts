@@ -49,6 +49,7 @@ function textsOf(t: typeof english) {
     },
     panel: {
       ...t.panel,
+      several: (n: number) => fill(t.panel.several, { n }),
       unit: (unit: string) => fill(t.panel.unit, { unit }),
       range: (range: string) => fill(t.panel.range, { range }),
       reset: (key: string) => fill(t.panel.reset, { key }),
@@ -65,6 +66,7 @@ function textsOf(t: typeof english) {
       ...t.viewport,
       light: (name: string) => fill(t.viewport.light, { name }),
       forget: (name: string) => fill(t.viewport.forget, { name }),
+      clipped: (black: string, white: string) => fill(t.viewport.clipped, { black, white }),
       inspected: (x: number, y: number) => fill(t.viewport.inspected, { x, y }),
     },
     editor: {
@@ -72,6 +74,13 @@ function textsOf(t: typeof english) {
       at: (line: number, column: number) => fill(t.editor.at, { line, column }),
       byDefault: (value: string) => fill(t.editor.byDefault, { value }),
       count: (n: number) => (n === 1 ? t.editor.one : fill(t.editor.count, { n })),
+    },
+    compare: {
+      ...t.compare,
+      about: (samples: number, time: string) => fill(t.compare.about, { samples, time }),
+      forget: (name: string) => fill(t.compare.forget, { name }),
+      differenceWhy: (largest: string, x: number, y: number) => fill(t.compare.differenceWhy, { largest, x, y }),
+      ways: (["wipe", "difference", "flip"] as const).map((value) => ({ value, label: t.compare[value] })),
     },
     paths: {
       ...t.paths,

@@ -43,6 +43,23 @@ test("what means the same under another name stays, both ways", () => {
   expect(retyped({ type: "phongMetal", color: [3, 0, 0] }, principled, metal)).toEqual({ type: "principled" });
 });
 
+test("a light of another type stays where it is, and as strong", () => {
+  const type = (name: string, ...parameters: CatalogueParameter[]): CatalogueType => ({ name, summary: "", addedAs: [], parameters });
+  const [position, direction, intensity] = [parameter("position", "vector3"), parameter("direction", "vector3"), parameter("intensity", "color")];
+  const material = parameter("material", "material");
+  const point = type("point", position, intensity);
+  const spot = type("spot", position, direction, intensity, parameter("cutoffAngle", "number"));
+  const sphere = type("sphere", parameter("center", "vector3"), parameter("radius", "number", { default: 1 }), material);
+  const disk = type("disk", parameter("center", "vector3"), parameter("normal", "vector3"), parameter("radius", "number", { default: 1 }), material);
+  const lamp = { type: "point", position: [1, 2, 3], intensity: [6.2832, 0, 3.1416] };
+  expect(retyped(lamp, spot, point, "light")).toEqual({ ...lamp, type: "spot" });
+  expect(retyped({ ...lamp, direction: [1, 0, 0] }, disk, spot, "light")).toEqual({ type: "disk", center: [1, 2, 3], normal: [1, 0, 0], material: { type: "luminaire", color: [2, 0, 1] } });
+  const ball = { type: "sphere", center: [1, 2, 3], radius: 0.5, material: { type: "luminaire", color: [2, 1, 0], multiplier: 4 } };
+  expect(retyped(ball, point, sphere, "light")).toEqual({ type: "point", position: [1, 2, 3], intensity: [6.28, 3.14, 0] });
+  expect(retyped(ball, disk, sphere, "light")).toEqual({ ...ball, type: "disk" });
+  expect(retyped({ type: "sphere", material: "lamp" }, point, sphere, "light")).toEqual({ type: "point" });
+});
+
 test("what has the same name but another meaning or range does not stay", () => {
   const types = (more: Partial<CatalogueParameter>): CatalogueType => ({ ...metal, parameters: [parameter("a", "texture", more)] });
   const kept = (value: CatalogueParameter["default"], before: Partial<CatalogueParameter>, now: Partial<CatalogueParameter>) => retyped({ a: value }, types(now), types(before)).a;

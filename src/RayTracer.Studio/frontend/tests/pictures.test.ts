@@ -3,6 +3,7 @@ import type { OutlineNode } from "../src/api/types";
 import { extensionOf, folderOf, joinPath, nameOf, relativeTo, withExtension } from "../src/files/paths";
 import { theoryLine } from "../src/inside/theory";
 import { filterNodes, findNode } from "../src/outliner/find";
+import { histogramOf } from "../src/viewport/histogram";
 import { outlineOf } from "../src/viewport/mask";
 
 test("the outline of a thing goes around it and not over it", () => {
@@ -53,4 +54,13 @@ test("the outliner finds things by name or type, with what they stand in", () =>
   const outline = { revision: 1, camera: none, render: none, background: none, environment: none, ambient: none, shapes: tree, lights: [], materials: [], textures: [], objects: [] };
   expect(findNode(outline, "/top")?.name).toBe("top");
   expect(findNode(outline, "/nowhere")).toBeNull();
+});
+
+test("a histogram counts each channel, what is black and what is at its brightest", () => {
+  const { channels, black, white } = histogramOf(new Uint8ClampedArray([0, 0, 0, 255, 255, 10, 7, 255, 4, 0, 0, 255, 8, 8, 8, 255]));
+  expect([black, white]).toEqual([0.25, 0.25]);
+  expect(channels.map((c) => c.reduce((a, b) => a + b))).toEqual([4, 4, 4]);
+  expect(channels[0]!.slice(0, 3)).toEqual([1, 1, 1]);
+  expect(channels[0]![63]).toBe(1);
+  expect(channels[2]!.slice(0, 3)).toEqual([2, 1, 1]);
 });

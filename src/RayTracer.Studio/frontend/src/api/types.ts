@@ -52,6 +52,8 @@ export interface CatalogueType {
   addedAs: string[];
 }
 
+export type ComparisonMap = "difference" | "flip";
+
 export interface ContributionParts {
   emitted: number[];
   ambient: number[];
@@ -272,6 +274,11 @@ export interface MeasuredTimes {
   times: ReportTime[];
 }
 
+export interface MixedLight {
+  name: string;
+  factor: Vec3;
+}
+
 export interface MotionPaths {
   camera: [number, number] | null[];
   thing: [number, number] | null[];
@@ -314,6 +321,14 @@ export interface PickResult {
   position: Vec3 | null;
   normal: Vec3 | null;
   material: string | null;
+}
+
+export interface PictureComparison {
+  rmse: number;
+  largestDifference: number;
+  largestX: number;
+  largestY: number;
+  flip: number;
 }
 
 export interface PictureFormat {
@@ -416,6 +431,9 @@ export interface ReportTime {
 
 export interface Snapshot {
   id: number;
+  name: string;
+  samples: number;
+  time: string;
   label: string;
   document: number;
 }
@@ -424,12 +442,14 @@ export interface StudioState {
   version: number;
   document: DocumentStatus;
   selection: string | null;
+  selected: string[];
   render: RenderState;
   tone: ToneState;
   view: ViewStatus;
   snapshots: Snapshot[];
   recovery: RecoveryEntry[];
   message: Notice | null;
+  lights: MixedLight[] | null;
   jobs: Job[];
   time: TimeState;
 }

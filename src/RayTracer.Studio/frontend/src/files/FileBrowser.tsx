@@ -6,7 +6,8 @@ import { complain } from "../state/messages";
 import { texts } from "../texts";
 import { Button } from "../ui/Button";
 import { Icon } from "../ui/Icon";
-import { joinPath } from "./paths";
+import { pictureAddress } from "./commands";
+import { extensionOf, joinPath } from "./paths";
 
 interface FileBrowserProps {
   start: string | undefined;
@@ -18,6 +19,25 @@ interface FileBrowserProps {
   picked: string;
   /** Whether pictures and models are looked for, which a scene may name, instead of what can be opened. */
   named?: boolean | undefined;
+}
+
+const isPicture = (name: string) => ["png", "jpg", "jpeg", "exr", "hdr", "pfm", "tga", "bmp"].includes(extensionOf(name));
+
+/** A small picture of a file, which is made when it comes into sight; a file that is no picture after all has none. */
+function Thumbnail({ path }: { path: string }) {
+  const ref = useRef<HTMLSpanElement>(null);
+  const [source, setSource] = useState("");
+  useEffect(() => {
+    const watcher = new IntersectionObserver((seen) => {
+      if (!seen.some((entry) => entry.isIntersecting)) return;
+      watcher.disconnect();
+      pictureAddress("file/thumbnail", { path }).then(setSource, () => undefined);
+    });
+    watcher.observe(ref.current!);
+    return () => watcher.disconnect();
+  }, [path]);
+  useEffect(() => () => URL.revokeObjectURL(source), [source]);
+  return <span ref={ref} class="file-thumbnail">{source && <img src={source} alt="" />}</span>;
 }
 
 /** The server's folders and the files in them that the Studio can read. */
@@ -76,7 +96,7 @@ export function FileBrowser({ start, onFolder, onPick, onChoose, picked, named }
           return (
             <li key={name}>
               <button type="button" class="list-button" aria-pressed={path === picked} onClick={() => onPick(path)} onDblClick={() => onChoose(path)}>
-                <Icon name="scene" /><span class="name">{name}</span><span class="quiet">{`${withPrefix(size)}B`}</span><time class="quiet" dateTime={time}>{moment(time)}</time>
+                {named && isPicture(name) ? <Thumbnail path={path} /> : <Icon name="scene" />}<span class="name">{name}</span><span class="quiet">{`${withPrefix(size)}B`}</span><time class="quiet" dateTime={time}>{moment(time)}</time>
               </button>
             </li>
           );

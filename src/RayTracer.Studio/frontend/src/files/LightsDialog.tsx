@@ -2,7 +2,7 @@ import { useEffect, useMemo, useState } from "preact/hooks";
 import { post } from "../api/client";
 import { Latest } from "../api/latest";
 import type { Vec3 } from "../api/types";
-import { fromHex } from "../json/color";
+import { fromHex, toHex } from "../json/color";
 import { attempt, complain } from "../state/messages";
 import { dialog } from "../state/store";
 import { texts } from "../texts";
@@ -19,16 +19,18 @@ type Factors = Record<string, Vec3>;
 
 interface LightProps {
   name: string;
+  factor: Vec3;
   onChange: (factor: Vec3) => void;
 }
 
 /** How strong a light is, and of which colour. */
-function Light({ name, onChange }: LightProps) {
-  const [strength, setStrength] = useState(1);
-  const [color, setColor] = useState("#ffffff");
+export function Light({ name, factor, onChange }: LightProps) {
+  // Of a light that is off, the colour would be lost.
+  const [hue, setHue] = useState<Vec3>([1, 1, 1]);
+  const strength = Math.max(...factor);
+  const color = toHex(strength > 0 ? (factor.map((x) => x / strength) as Vec3) : hue);
   const change = (s: number, c: string) => {
-    setStrength(s);
-    setColor(c);
+    setHue(fromHex(c) as Vec3);
     onChange(fromHex(c).map((x) => x * s) as Vec3);
   };
   return (
@@ -61,7 +63,7 @@ function Balance({ path, lights }: { path: string; lights: string[] }) {
   return (
     <DialogBox title={t.title} onClose={close} buttons={buttons} wide help="light-layers">
       {source && <img class="balance" src={source} alt={nameOf(path)} />}
-      {lights.map((name) => <Light key={name} name={name} onChange={(f) => setFactors((old) => ({ ...old, [name]: f }))} />)}
+      {lights.map((name) => <Light key={name} name={name} factor={factors[name] ?? [1, 1, 1]} onChange={(f) => setFactors((old) => ({ ...old, [name]: f }))} />)}
     </DialogBox>
   );
 }

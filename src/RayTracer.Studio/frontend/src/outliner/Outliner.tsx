@@ -3,7 +3,7 @@ import { useRef } from "preact/hooks";
 import { parent } from "../json/pointer";
 import { askForName, duplicate, isThing, remove, select } from "../state/edits";
 import { rightOpen, rightTab } from "../state/settings";
-import { outline, selection } from "../state/store";
+import { outline, selected, selection } from "../state/store";
 import { texts } from "../texts";
 import { Icon, type IconName } from "../ui/Icon";
 import { rowsOf, type Row } from "./rows";
@@ -27,16 +27,19 @@ function toggle(pointer: string): void {
 }
 
 // What has a tab of its own may not be written in the text at all, and needs no selection.
-function choose(row: Row): void {
+function choose(row: Row, adds: boolean): void {
   if (row.isHeading) return toggle(row.pointer);
   const tab = ownTabs[row.kind];
-  select(tab ? null : row.pointer);
+  select(tab ? null : row.pointer, adds && !tab);
   chosenSection.value = tab ? row.pointer : null;
   rightTab.value = tab ?? "object";
 }
 
+/** What a key does to a row is done to all selected ones with it. */
+const together = (pointer: string) => (selected.value?.includes(pointer) ? selected.value.filter(isThing) : [pointer]);
+
 const isChosen = (row: Row) =>
-  !row.isHeading && (selection.value === row.pointer || (selection.value === null && chosenSection.value === row.pointer));
+  !row.isHeading && (selected.value?.includes(row.pointer) || (selection.value === null && chosenSection.value === row.pointer));
 
 function RowName({ row }: { row: Row }) {
   const { node, kind, count } = row;
@@ -80,7 +83,7 @@ function TreeRow({ row, isReachable }: TreeRowProps) {
       data-help={node?.type ? `scene-format#${node.type}` : undefined}
       data-tip={node?.summary || undefined}
       style={{ paddingInlineStart: isHeading ? "0.125rem" : `${level * 0.75 - 0.375}rem` }}
-      onClick={() => choose(row)}
+      onClick={(e) => choose(row, e.ctrlKey || e.metaKey || e.shiftKey)}
       onDblClick={() => (rightOpen.value = true)}
     >
       {isOpen !== null && (
@@ -108,14 +111,14 @@ export function Outliner() {
     const moves: Record<string, number> = { ArrowDown: here + 1, ArrowUp: here - 1, Home: 0, End: items.length - 1 };
     const target = moves[e.key];
     if (target !== undefined) items[target]?.focus();
-    else if (e.key === "Enter" || e.key === " ") choose(row);
+    else if (e.key === "Enter" || e.key === " ") choose(row, e.ctrlKey || e.metaKey);
     else if (e.key === "ArrowRight" && isOpen === false) toggle(pointer);
     else if (e.key === "ArrowRight") items[here + (isOpen ? 1 : 0)]?.focus();
     else if (e.key === "ArrowLeft" && isOpen) toggle(pointer);
     else if (e.key === "ArrowLeft") items[outside]?.focus();
-    else if (e.key === "Delete" && isThing(pointer)) remove(pointer);
+    else if (e.key === "Delete" && isThing(pointer)) remove(together(pointer));
     else if (e.key === "F2" && pointer === selection.value) askForName();
-    else if (e.key === "d" && e.ctrlKey && isThing(pointer)) duplicate(pointer);
+    else if (e.key === "d" && e.ctrlKey && isThing(pointer)) duplicate(together(pointer));
     else return;
     e.preventDefault();
     e.stopPropagation();
@@ -124,7 +127,7 @@ export function Outliner() {
   return (
     <div class="outliner">
       <input type="search" class="text" aria-label={texts.outliner.filter} placeholder={texts.outliner.filter} value={filter.value} onInput={(e) => (filter.value = e.currentTarget.value)} />
-      <div role="tree" aria-label={texts.outliner.label} ref={root} onKeyDown={onKeyDown}>
+      <div role="tree" aria-multiselectable="true" aria-label={texts.outliner.label} ref={root} onKeyDown={onKeyDown}>
         {rows.map((row) => <TreeRow row={row} isReachable={row === reachable} key={row.pointer} />)}
       </div>
       {rows.length === 0 && <p class="quiet pad">{texts.outliner.nothingFound}</p>}

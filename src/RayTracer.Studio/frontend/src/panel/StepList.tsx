@@ -20,7 +20,7 @@ export function StepList({ parameter, pointer, value, id }: FieldProps) {
       {steps.map((step, i) => (
         <details open={steps.length < 4} key={i}>
           <summary>{texts.panel.step(i + 1)}</summary>
-          <Button label={texts.panel.removeStep(i + 1)} icon="trash" onClick={() => remove(join(pointer, i))} />
+          <Button label={texts.panel.removeStep(i + 1)} icon="trash" onClick={() => remove([join(pointer, i)])} />
           <RecordEditor type={type} pointer={join(pointer, i)} value={step} />
         </details>
       ))}

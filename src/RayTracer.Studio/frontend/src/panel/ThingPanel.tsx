@@ -1,6 +1,6 @@
 import { last } from "../json/pointer";
-import { duplicate, isThing, remove, setValue } from "../state/edits";
-import { dialog, schema } from "../state/store";
+import { duplicate, isThing, remove, setValue, withSelection } from "../state/edits";
+import { dialog, schema, selected } from "../state/store";
 import { texts } from "../texts";
 import { Button } from "../ui/Button";
 import { Select } from "../ui/Select";
@@ -18,13 +18,13 @@ export function ThingPanel({ pointer, without = ["name"] }: { pointer: string; w
   const type = findType(known, answer.family, answer.type);
   if (!type) return <PlainValue pointer={pointer} answer={answer.value} />;
 
-  const canRetype = answer.family === "material" || answer.family === "texture";
+  const canRetype = answer.family === "material" || answer.family === "texture" || answer.family === "light";
   const ownName = isObject(answer.value) && typeof answer.value.name === "string" ? answer.value.name : null;
   const title = ownName ?? (/^\d+$/.test(last(pointer)) ? type.name : last(pointer));
   const types = known.types[answer.family ?? ""] ?? [];
   const change = (name: string) => {
     const chosen = findType(known, answer.family, name);
-    if (chosen) setValue(pointer, retyped(answer.value, chosen, type));
+    if (chosen) setValue(pointer, retyped(answer.value, chosen, type, answer.family));
   };
   return (
     <section class="thing" aria-label={title} data-help={`scene-format#${type.name}`}>
@@ -32,11 +32,12 @@ export function ThingPanel({ pointer, without = ["name"] }: { pointer: string; w
         <header>
           <h2>{title}</h2>
           <Button label={texts.commands.rename[0]} tip={texts.commands.rename[1]} icon="rename" onClick={() => (dialog.value = "rename")} />
-          <Button label={texts.commands.duplicate[0]} tip={texts.commands.duplicate[1]} icon="copy" onClick={() => duplicate(pointer)} />
+          <Button label={texts.commands.duplicate[0]} tip={texts.commands.duplicate[1]} icon="copy" onClick={() => withSelection(duplicate)} />
           <Button label={texts.panel.show} icon="code" onClick={() => showInSource(pointer)} />
-          <Button label={texts.commands.delete[0]} tip={texts.commands.delete[1]} icon="trash" onClick={() => remove(pointer)} />
+          <Button label={texts.commands.delete[0]} tip={texts.commands.delete[1]} icon="trash" onClick={() => withSelection(remove)} />
         </header>
       )}
+      {(selected.value?.length ?? 0) > 1 && <p class="summary">{texts.panel.several(selected.value!.length)}</p>}
       {canRetype ? (
         <div class="row">
           <div class="row-label"><label for="thing-type">{texts.panel.type}</label></div>

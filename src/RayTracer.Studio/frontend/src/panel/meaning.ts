@@ -1,4 +1,4 @@
-/** What materials have in common under different names: their colour, and how rough they are. */
+/** What types have in common under different names: the colour of materials and how rough they are; where lights are, where they shine, and how strongly. */
 
 import type { Json } from "../api/types";
 
@@ -31,4 +31,27 @@ export function translated(old: { [key: string]: Json }, type: string, key: stri
   if (!target || !source) return undefined;
   const value = target.fromAlpha(roughnesses[source]!.toAlpha(old[source] as number));
   return Number.isFinite(value) ? Number(value.toPrecision(3)) : undefined;
+}
+
+type Vector = [number, number, number];
+
+const isVector = (value: Json | undefined): value is Vector => Array.isArray(value) && value.length === 3 && value.every((v) => typeof v === "number");
+const sameOfLights: Record<string, string> = { position: "center", center: "position", direction: "normal", normal: "direction" };
+
+/**
+ * The same of lights. Round lamps and lights without extent shine equally far: intensity is radiance times the area that is seen, π r². Only a
+ * luminaire that is written in place and shines equally in all directions is known.
+ */
+export function translatedLight(old: { [key: string]: Json }, key: string, radius: number): Json | undefined {
+  const other = sameOfLights[key];
+  if (other) return isVector(old[other]) ? old[other] : undefined;
+  const area = (r: Json | undefined) => Math.PI * (typeof r === "number" ? r : radius) ** 2;
+  const times = (color: Vector, factor: number) => color.map((c) => Number((c * factor).toPrecision(3)));
+  const material = old.material;
+  if (key === "intensity" && isRecord(material) && material.type === "luminaire" && !material.exponent) {
+    const color = isVector(material.color) ? material.color : ([1, 1, 1] satisfies Vector);
+    return times(color, (typeof material.multiplier === "number" ? material.multiplier : 1) * area(old.radius));
+  }
+  if (key === "material" && isVector(old.intensity)) return { type: "luminaire", color: times(old.intensity, 1 / area(old.radius)) };
+  return undefined;
 }

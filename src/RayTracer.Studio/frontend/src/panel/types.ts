@@ -1,6 +1,6 @@
 /** What the schema says about a place of the scene. */
 
-import { translated } from "./meaning";
+import { translated, translatedLight } from "./meaning";
 import type { Json, CatalogueParameter, CatalogueType, TypeCatalogue } from "../api/types";
 
 export type JsonObject = { [key: string]: Json };
@@ -63,7 +63,7 @@ function within(now: CatalogueParameter, value: Json | undefined): Json | undefi
 }
 
 /** Another type in place of this one: what both of them know stays, where it means the same. */
-export function retyped(value: Json | undefined, type: CatalogueType, before: CatalogueType | null): JsonObject {
+export function retyped(value: Json | undefined, type: CatalogueType, before: CatalogueType | null, family: string | null = null): JsonObject {
   const result: JsonObject = { type: type.name };
   // What the old type knows; the name of another material is no colour.
   const meant = (key: string, v: Json) => key === "type" || before?.parameters.some((p) => p.key === key && (kindOf(p) !== "material" || isObject(v)));
@@ -71,11 +71,17 @@ export function retyped(value: Json | undefined, type: CatalogueType, before: Ca
   for (const p of type.parameters) {
     const written = isObject(value) ? value[p.key] : undefined;
     const isSame = written !== undefined && fits(before?.parameters.find((q) => q.key === p.key), p, written);
-    const kept = isSame ? written : kinds.has(kindOf(p)) ? within(p, translated(old, type.name, p.key)) : undefined;
+    const kept = isSame ? written : family === "light" ? translatedLight(old, p.key, radiusOf(type, before)) : kinds.has(kindOf(p)) ? within(p, translated(old, type.name, p.key)) : undefined;
     if (kept !== undefined) result[p.key] = kept;
     else if (p.required) result[p.key] = p.default ?? requiredValue(kindOf(p));
   }
   return result;
+}
+
+// Of lamps of these types, where none is written.
+function radiusOf(...types: (CatalogueType | null)[]): number {
+  const byDefault = types.map((t) => t?.parameters.find((p) => p.key === "radius")?.default);
+  return byDefault.find((r) => typeof r === "number") ?? 1;
 }
 
 const requiredValue = (kind: string): Json =>

@@ -16,7 +16,7 @@ import { stepFrame, togglePlay } from "../timeline/frames";
 import { placeOfAttention } from "../help/places";
 import { attempt } from "./messages";
 import { bottomOpen, bottomTab, leftOpen, leftTab, rightOpen, theme, type Theme } from "./settings";
-import { backgroundKind, compared, dialog, documentState, helpAt, renderState, pictureAlone, isOwnView, selection, time, tool, tourStep, type Tool } from "./store";
+import { backgroundKind, comparison, dialog, documentState, helpAt, renderState, pictureAlone, isOwnView, selection, time, tool, tourStep, type Tool } from "./store";
 
 export type CommandId = keyof typeof texts.commands;
 export type Group = keyof typeof texts.groups;
@@ -53,7 +53,8 @@ function nextTheme(): void {
 
 const keepPicture = () =>
   attempt(async () => {
-    compared.value = (await post<{ id: number }>("view/snapshot")).id;
+    const { id } = await post<{ id: number }>("view/snapshot");
+    comparison.value = { left: id, right: null, shown: "wipe" };
   });
 
 const along = (...from: Vec3) => ({ run: () => attempt(() => lookAlong(from)) });

@@ -4,7 +4,7 @@ import { post } from "../api/client";
 import { Latest } from "../api/latest";
 import type { Json, Vec3 } from "../api/types";
 import { attempt, complain } from "./messages";
-import { dialog, selection } from "./store";
+import { dialog, selected, selection } from "./store";
 
 const page = Math.random().toString(36).slice(2, 8);
 let gestures = 0;
@@ -30,7 +30,8 @@ export function setValue(pointer: string, value: Json, gesture = newGesture()): 
 /** Takes a value out of the text, so that its default counts again. */
 export const resetValue = (pointer: string) => attempt(() => post("document/set", { pointer, value: null, reset: true }));
 
-export const select = (pointer: string | null) => attempt(() => post("select", { pointer }));
+/** Selects a thing; `adds` where it shall be selected beside others, or no longer. */
+export const select = (pointer: string | null, adds = false) => attempt(() => post("select", { pointer, adds }));
 
 export const addThing = (family: string, type: string, file?: string) =>
   attempt(async () => {
@@ -38,13 +39,13 @@ export const addThing = (family: string, type: string, file?: string) =>
     await post("select", { pointer: isThing(added.pointer) ? added.pointer : null });
   });
 
-export const duplicate = (pointer: string) =>
+export const duplicate = (pointers: string[]) =>
   attempt(async () => {
-    const copy = await post<{ pointer: string }>("document/duplicate", { pointer });
-    await post("select", { pointer: copy.pointer });
+    const copies = await post<{ pointers: string[] }>("document/duplicate", { pointers });
+    await post("select", { pointers: copies.pointers });
   });
 
-export const remove = (pointer: string) => attempt(() => post("document/delete", { pointers: [pointer] }));
+export const remove = (pointers: string[]) => attempt(() => post("document/delete", { pointers }));
 
 export const rename = (pointer: string, name: string) => attempt(() => post("document/rename", { pointer, name }));
 
@@ -63,10 +64,12 @@ export const isThing = (pointer: string | null): pointer is string =>
 /** What may be seen in the picture, moved and turned there. */
 export const isSeen = (pointer: string | null): pointer is string => pointer !== null && /^\/(shapes|lights)\/./.test(pointer);
 
-/** Runs a command on the selected thing, if there is one that it can be run on. */
-export function withSelection(work: (pointer: string) => void): void {
-  const pointer = selection.value;
-  if (isThing(pointer)) work(pointer);
+/** Runs a command on the selected things, if there are some that it can be run on. */
+export function withSelection(work: (pointers: string[]) => void): void {
+  const pointers = (selected.value ?? []).filter(isThing);
+  if (pointers.length > 0) work(pointers);
 }
 
-export const askForName = () => withSelection(() => (dialog.value = "rename"));
+export function askForName(): void {
+  if (isThing(selection.value)) dialog.value = "rename";
+}

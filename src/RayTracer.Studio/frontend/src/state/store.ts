@@ -2,7 +2,7 @@
 
 import { computed, signal } from "@preact/signals";
 import type { Unsent } from "../editor/unsent";
-import type { Outline, TypeCatalogue, StudioState } from "../api/types";
+import type { ComparisonMap, Outline, TypeCatalogue, StudioState } from "../api/types";
 
 export const studio = signal<StudioState | null>(null);
 export const connection = signal<"waiting" | "open" | "lost" | "refused">("waiting");
@@ -32,12 +32,16 @@ export const snapshots = slice((s) => s.snapshots.filter((kept) => kept.document
 
 /** The name of what this page has asked to open, as long as the server reads it. */
 export const opening = signal<string | null>(null);
+/** The lights of the picture, where it keeps their light apart. */
+export const mixedLights = slice((s) => s.lights);
 export const recoveries = slice((s) => s.recovery);
 export const jobs = slice((s) => s.jobs);
 export const time = slice((s) => s.time);
 /** The frame of the animation that the picture shows by now. */
 export const shownFrame = computed(() => studio.value?.time.shown ?? null);
+/** The thing that was selected last, and all that are selected. */
 export const selection = computed(() => studio.value?.selection ?? null);
+export const selected = slice((s) => s.selected);
 export const revision = computed(() => studio.value?.document.revision ?? -1);
 export const maps = computed(() => schema.value?.maps ?? []);
 export const map = computed(() => studio.value?.render.map ?? "light");
@@ -57,8 +61,23 @@ export const tool = signal<Tool>("select");
 /** The pixel whose paths are looked at. */
 export const inspectedPixel = signal<{ x: number; y: number } | null>(null);
 
-/** The snapshot that is wiped against, and where: 0 is the left edge. */
-export const compared = signal<number | null>(null);
+/** Two kept pictures that are compared, and how; `right` is null for the picture that is rendered. */
+export interface Comparison {
+  left: number | null;
+  right: number | null;
+  shown: "wipe" | ComparisonMap;
+}
+export const comparison = signal<Comparison>({ left: null, right: null, shown: "wipe" });
+
+/** The same of pictures that are still kept. */
+export const compared = computed<Comparison>(() => {
+  const kept = (id: number | null) => (snapshots.value?.some((s) => s.id === id) ? id : null);
+  const { left, right, shown } = comparison.value;
+  const isPair = kept(left) !== null && kept(right) !== null;
+  return { left: kept(left), right: kept(right), shown: isPair ? shown : "wipe" };
+});
+
+/** Where the wipe is: 0 is the left edge. */
 export const wipe = signal(0.5);
 
 /** Text typed into a window whose server has gone, which the editor shall merge into the document's. */

@@ -65,7 +65,7 @@ export function Gizmo() {
         const end = line.at(-1)!;
         const points = line.map((p) => `${p.x.toFixed(1)},${p.y.toFixed(1)}`).join(" ");
         return (
-          <g class={`axis ${name}`} role="slider" tabIndex={0} aria-label={`${texts.viewport[kind]} ${name}`} aria-valuenow={0} aria-valuetext={name} data-handle={name} onPointerDown={(e) => start(e, i)} onKeyDown={(e) => nudge(e, i)}>
+          <g class={`axis ${name}`} role="slider" tabindex={0} aria-label={`${texts.viewport[kind]} ${name}`} aria-valuenow={0} aria-valuetext={name} data-handle={name} onPointerDown={(e) => start(e, i)} onKeyDown={(e) => nudge(e, i)}>
             <polyline class="grip" points={points} />
             <polyline class="line" points={points} />
             {kind === "move" && <circle class="tip" cx={end.x} cy={end.y} r="6" />}

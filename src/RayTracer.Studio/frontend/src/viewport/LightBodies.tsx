@@ -45,7 +45,7 @@ export function LightBodies() {
               <g
                 class="icon"
                 role="button"
-                tabIndex={0}
+                tabindex={0}
                 aria-label={texts.viewport.light(name)}
                 aria-pressed={isSelected}
                 data-handle="light"

@@ -2,7 +2,7 @@ import { useEffect, useState } from "preact/hooks";
 import { pictureAddress } from "../files/commands";
 import { gradient } from "../inside/MapsTab";
 import { complain } from "../state/messages";
-import { compared, inspectedPixel, map, maps, renderState, snapshots, tool, wipe } from "../state/store";
+import { compared, inspectedPixel, map, maps, renderState, tool, wipe } from "../state/store";
 import { texts } from "../texts";
 import { regionBetween } from "./clicks";
 import { drawnRegion } from "./pointers";
@@ -47,17 +47,60 @@ export function MapLegend() {
   );
 }
 
-/** A kept picture over the new one, cut off at a line that can be dragged. */
-export function Wipe() {
-  const id = snapshots.value?.some((s) => s.id === compared.value) ? compared.value : null;
+/** A picture of the server's, as an address for an image; empty before it is there. */
+export function usePicture(path: string, query: Record<string, string | number>): string {
   const [source, setSource] = useState("");
+  const written = JSON.stringify(query);
   useEffect(() => {
-    setSource("");
-    if (id !== null) pictureAddress("view/snapshot", { id }).then(setSource, complain);
-  }, [id]);
+    let isGone = false;
+    pictureAddress(path, query).then((address) => (isGone ? URL.revokeObjectURL(address) : setSource(address)), complain);
+    return () => {
+      isGone = true;
+    };
+  }, [path, written]);
   useEffect(() => () => URL.revokeObjectURL(source), [source]);
-  if (id === null || !source) return null;
+  return source;
+}
 
+interface OverProps {
+  path: string;
+  query: Record<string, string | number>;
+  alt: string;
+  /** The share that is cut off on the right. */
+  cut?: number;
+}
+
+/** A picture of the server's over the one on the stage. */
+function Over({ path, query, alt, cut = 0 }: OverProps) {
+  const source = usePicture(path, query);
+  const { scale, left, top } = placement.value;
+  const { width, height } = picture.value;
+  if (!source) return null;
+  return (
+    <img
+      class="overlay"
+      src={source}
+      alt={alt}
+      style={{ left: `${left}px`, top: `${top}px`, width: `${width * scale}px`, height: `${height * scale}px`, clipPath: `inset(0 ${cut * 100}% 0 0)` }}
+    />
+  );
+}
+
+/** What is compared with the picture, over it: another one, cut off at a line that can be dragged, or the difference of two. */
+export function Comparison() {
+  const { left, right, shown } = compared.value;
+  if (left === null) return null;
+  if (shown !== "wipe") return <Over path="view/compare/picture" query={{ image: left, reference: right!, map: shown }} alt={texts.compare[shown]} />;
+  return (
+    <>
+      {right !== null && <Over path="view/snapshot" query={{ id: right }} alt={texts.viewport.keptPicture} />}
+      <Over path="view/snapshot" query={{ id: left }} alt={texts.viewport.keptPicture} cut={1 - wipe.value} />
+      <WipeLine />
+    </>
+  );
+}
+
+function WipeLine() {
   const { scale, left, top } = placement.value;
   const size = { width: picture.value.width * scale, height: picture.value.height * scale };
   const set = (value: number) => (wipe.value = Math.min(1, Math.max(0, value)));
@@ -77,26 +120,18 @@ export function Wipe() {
     e.stopPropagation();
   };
   return (
-    <>
-      <img
-        class="overlay"
-        src={source}
-        alt={texts.viewport.keptPicture}
-        style={{ left: `${left}px`, top: `${top}px`, width: `${size.width}px`, height: `${size.height}px`, clipPath: `inset(0 ${(1 - wipe.value) * 100}% 0 0)` }}
-      />
-      <div
-        class="wipe"
-        role="slider"
-        tabIndex={0}
-        aria-label={texts.viewport.wipe}
-        aria-valuemin={0}
-        aria-valuemax={100}
-        aria-valuenow={Math.round(wipe.value * 100)}
-        data-handle="wipe"
-        style={{ left: `${left + wipe.value * size.width}px`, top: `${top}px`, height: `${size.height}px` }}
-        onPointerDown={onPointerDown}
-        onKeyDown={onKeyDown}
-      />
-    </>
+    <div
+      class="wipe"
+      role="slider"
+      tabIndex={0}
+      aria-label={texts.viewport.wipe}
+      aria-valuemin={0}
+      aria-valuemax={100}
+      aria-valuenow={Math.round(wipe.value * 100)}
+      data-handle="wipe"
+      style={{ left: `${left + wipe.value * size.width}px`, top: `${top}px`, height: `${size.height}px` }}
+      onPointerDown={onPointerDown}
+      onKeyDown={onKeyDown}
+    />
   );
 }

@@ -5,7 +5,7 @@ import { texts } from "../texts";
 import { headerSize, readHeader } from "./frame";
 import type { ToWorker } from "./frames.worker";
 import { Painter } from "./painter";
-import { cameraMoves, isOwnPicture, movingFrames, paintedDocument, paintedFrames, picture, placement, zoom } from "./stage";
+import { cameraMoves, isOwnPicture, movingFrames, paintedDocument, paintedFrames, paintedPixels, picture, placement, zoom } from "./stage";
 
 const resizePause = 150;
 
@@ -19,7 +19,8 @@ function followFrames(canvas: HTMLCanvasElement): () => void {
   const painter = new Painter<ArrayBuffer>((paint) => requestAnimationFrame(paint), (bytes) => {
     const frame = readHeader(bytes);
     if (canvas.width !== frame.width || canvas.height !== frame.height) [canvas.width, canvas.height] = [frame.width, frame.height];
-    context.putImageData(new ImageData(new Uint8ClampedArray(bytes, headerSize), frame.width, frame.height), 0, 0);
+    paintedPixels.value = new Uint8ClampedArray(bytes, headerSize);
+    context.putImageData(new ImageData(paintedPixels.peek(), frame.width, frame.height), 0, 0);
     if (picture.peek().width !== frame.pictureWidth || picture.peek().height !== frame.pictureHeight) {
       picture.value = { width: frame.pictureWidth, height: frame.pictureHeight };
     }

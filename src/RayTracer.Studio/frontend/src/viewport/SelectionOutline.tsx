@@ -2,7 +2,7 @@ import { useEffect, useRef } from "preact/hooks";
 import { get } from "../api/client";
 import type { PixelMask } from "../api/types";
 import { isSeen } from "../state/edits";
-import { documentState, selection, shownFrame, viewState } from "../state/store";
+import { documentState, selected, shownFrame, viewState } from "../state/store";
 import { outlineOf } from "./mask";
 import { cameraMoves, movingFrames, picture, placement } from "./stage";
 
@@ -20,11 +20,12 @@ function draw(canvas: HTMLCanvasElement, mask: PixelMask, reach: number): void {
 // While the camera moves, every so many pixels: it must keep up with the picture.
 const movingStep = 3;
 
-/** The selected thing's outline in the picture; it goes with the thing while the camera moves. */
-export function SelectionOutline() {
+/** The selected things' outlines in the picture. */
+export const SelectionOutline = () => <>{(selected.value ?? []).filter(isSeen).map((pointer) => <ThingOutline pointer={pointer} key={pointer} />)}</>;
+
+/** A thing's outline; it goes with the thing while the camera moves. */
+function ThingOutline({ pointer }: { pointer: string }) {
   const ref = useRef<HTMLCanvasElement>(null);
-  const pointer = selection.value;
-  const isShown = isSeen(pointer);
   const step = cameraMoves.value ? movingStep : 1;
   const asking = useRef<AbortController | null>(null);
   const { scale, left, top } = placement.value;
@@ -33,7 +34,7 @@ export function SelectionOutline() {
   useEffect(() => {
     const canvas = ref.current;
     // One at a time while the camera moves: none would ever arrive if each frame ended the last.
-    if (!canvas || !isShown || (step > 1 && asking.current)) return;
+    if (!canvas || (step > 1 && asking.current)) return;
     asking.current?.abort();
     const abort = (asking.current = new AbortController());
     get<PixelMask>("view/mask", { pointer, step: String(step) }, abort.signal)
@@ -46,13 +47,12 @@ export function SelectionOutline() {
     return () => {
       if (step === 1) abort.abort();
     };
-  }, [pointer, isShown, documentState.value?.builtRevision, viewState.value?.pose, shownFrame.value, width, height, reach, step, step > 1 ? movingFrames.value : 0]);
+  }, [pointer, documentState.value?.builtRevision, viewState.value?.pose, shownFrame.value, width, height, reach, step, step > 1 ? movingFrames.value : 0]);
   return (
     <canvas
       ref={ref}
       class="overlay"
       aria-hidden="true"
-      hidden={!isShown}
       width={1}
       height={1}
       style={{ left: `${left}px`, top: `${top}px`, width: `${width * scale}px`, height: `${height * scale}px` }}

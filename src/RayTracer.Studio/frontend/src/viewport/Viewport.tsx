@@ -8,8 +8,9 @@ import { Gizmo } from "./Gizmo";
 import { onCameraKey, onCameraKeyUp, releaseKeys } from "./keys";
 import { LightBodies } from "./LightBodies";
 import { OwnView } from "./OwnView";
-import { InspectMark, MapLegend, RegionOverlay, Wipe } from "./Overlays";
+import { Comparison, InspectMark, MapLegend, RegionOverlay } from "./Overlays";
 import { PictureCanvas } from "./PictureCanvas";
+import { PixelValues } from "./PixelValues";
 import { listenToPointers, spaceHeld } from "./pointers";
 import { MotionPaths } from "../timeline/MotionPaths";
 import { SelectionOutline } from "./SelectionOutline";
@@ -54,7 +55,8 @@ export function Viewport() {
             <SelectionOutline />
             <MotionPaths />
             <MapLegend />
-            <Wipe />
+            <Comparison />
+            <PixelValues />
             <RegionOverlay />
             <PathOverlay />
             <InspectMark />

@@ -3,12 +3,13 @@ import { Latest } from "../api/latest";
 import { format } from "../json/numbers";
 import { commandButton, type CommandId } from "../state/commands";
 import { attempt, complain } from "../state/messages";
-import { compared, maps, renderState, snapshots, tool, toneState, type Tool } from "../state/store";
+import { maps, renderState, tool, toneState, type Tool } from "../state/store";
 import { texts } from "../texts";
 import { Button } from "../ui/Button";
 import { Popover } from "../ui/Popover";
 import { NumberField } from "../ui/NumberField";
 import { Select } from "../ui/Select";
+import { HistogramPlot } from "./HistogramPlot";
 import { CameraMenu } from "./OwnView";
 import { clearRegion } from "./clicks";
 import { placement, zoomTo } from "./stage";
@@ -26,8 +27,6 @@ export function ViewportBar() {
   const now = toneState.value;
   const map = renderState.value?.map ?? "light";
   const choices = maps.value.map(({ name, title }) => ({ value: name, label: title }));
-  const kept = snapshots.value ?? [];
-  const keptChoices = [{ value: "", label: t.noCompare }, ...kept.map((s) => ({ value: String(s.id), label: s.label }))];
   return (
     <div class="bar" role="toolbar" aria-label={t.toolbar}>
       <div class="group" role="group" aria-label={t.tools}>
@@ -42,6 +41,7 @@ export function ViewportBar() {
       <Select label={t.map} tip={t.mapWhy} value={map} choices={choices} onChange={showMap} />
       {now && (
         <Popover label={t.display} icon="sliders" tip={t.displayWhy}>
+          <HistogramPlot />
           <div class="pair" data-tip={t.exposureWhy}>
             <span aria-hidden="true">{t.exposure}</span>
             <input type="range" aria-label={`${t.exposure}, ${format(now.exposure)}`} min={-6} max={6} step={0.1} value={now.exposure} onInput={(e) => tone.push({ exposure: Number(e.currentTarget.value) })} />
@@ -51,16 +51,13 @@ export function ViewportBar() {
           <Select label={t.toneMap} tip={t.toneMapWhy} value={now.toneMap} choices={now.choices.map((c) => ({ value: c, label: c }))} onChange={(toneMap) => tone.push({ toneMap })} />
         </Popover>
       )}
-      <div class="group" role="group" aria-label={t.compare}>
-        <Button {...commandButton("snapshot")} />
-        {kept.length > 0 && <Select label={t.compare} tip={t.compareWhy} value={String(compared.value ?? "")} choices={keptChoices} onChange={(id) => (compared.value = id ? Number(id) : null)} />}
-      </div>
+      <Button {...commandButton("snapshot")} />
       {renderState.value?.region && <Button label={t.clearRegion} icon="close" onClick={clearRegion} />}
     </div>
   );
 }
 
-const percents = [12.5, 25, 50, 100, 200, 400, 800, 1600];
+const percents = [12.5, 25, 50, 100, 200, 400, 800, 1600, 6400];
 
 function ZoomSelect() {
   const now = String(Math.round(placement.value.scale * devicePixelRatio * 100));

@@ -8,14 +8,15 @@ import { bottomOpen, bottomTab, rightTab } from "../state/settings";
 import { inspectedPixel, tool } from "../state/store";
 import { picture } from "./stage";
 
-export function clickPixel(pixel: Point): void {
+export function clickPixel(pixel: Point, adds = false): void {
   const { x, y } = pixel;
   if (tool.value === "focus") attempt(() => post("view/focus", { x, y }));
   else if (tool.value === "inspect") inspect(pixel);
   else
     attempt(async () => {
       const { pointer } = await get<PickResult>("pick", { x, y });
-      await post("select", { pointer });
+      // Beside what is selected, a click on nothing is a slip.
+      if (pointer || !adds) await post("select", { pointer, adds });
       if (pointer) rightTab.value = "object";
     });
 }

@@ -101,7 +101,7 @@ export function listenToPointers(stageElement: HTMLElement): () => void {
     if (region) renderRegion(region.a, region.b);
     else if (!moved && e.type === "pointerup" && e.button === 0) {
       const pixel = pixelAt(local(e));
-      if (pixel) clickPixel(pixel);
+      if (pixel) clickPixel(pixel, e.shiftKey);
     }
     end();
   };

@@ -14,7 +14,7 @@ const newest = signal<PixelReading | null>(null);
 
 const asked = new Latest<Point>(
   async ({ x, y }) => {
-    newest.value = await get<PixelReading | null>("view/pixel", { x, y });
+    newest.value = await (await get<PixelReading[]>("view/pixels", { x, y, width: 1, height: 1 }))[0] ?? null;
     // Frames come one after the other: a number that changes faster cannot be read.
     await new Promise((resolve) => setTimeout(resolve, pause));
   },

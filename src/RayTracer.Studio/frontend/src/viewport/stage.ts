@@ -30,6 +30,9 @@ export const movingFrames = signal(0);
 /** Counts all frames that were painted. */
 export const paintedFrames = signal(0);
 
+/** The colours of the newest one: red, green, blue and 255 of each of its pixels. */
+export const paintedPixels = signal(new Uint8ClampedArray());
+
 const margin = 12;
 const largestZoom = 64;
 
@@ -71,6 +74,13 @@ export function pixelAt(point: Point): Point | null {
   const pixel = { x: Math.floor(x), y: Math.floor(y) };
   const isInside = pixel.x >= 0 && pixel.y >= 0 && pixel.x < picture.value.width && pixel.y < picture.value.height;
   return isInside ? pixel : null;
+}
+
+/** The pixels that are on the stage, of which the first is at x and y. */
+export function partOnStage(): { x: number; y: number; width: number; height: number } {
+  const [from, to] = [toPicture({ x: 0, y: 0 }), toPicture({ x: stage.value.width, y: stage.value.height })];
+  const [x, y] = [Math.max(0, Math.floor(from.x)), Math.max(0, Math.floor(from.y))];
+  return { x, y, width: Math.min(picture.value.width, Math.ceil(to.x)) - x, height: Math.min(picture.value.height, Math.ceil(to.y)) - y };
 }
 
 /** Enlarges by a factor; the point of the picture under `around` stays where it is. */

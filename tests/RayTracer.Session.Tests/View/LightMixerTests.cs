@@ -1,0 +1,106 @@
+using RayTracer.Numerics;
+using RayTracer.Session;
+using RayTracer.Textures;
+
+namespace RayTracer.Session.Tests;
+
+public sealed class LightMixerTests : IDisposable
+{
+    private const string TwoLamps = """
+        {
+          "render": { "integrator": "path", "maxDepth": 2, "width": 24, "height": 16, "samplesPerPixel": 4 },
+          "camera": { "position": [0, 2, 6], "lookAt": [0, 0, 0] },
+          "ambient": [0, 0, 0],
+          "materials": { "glow": { "type": "luminaire", "color": [1, 0.5, 0.25], "multiplier": 4 } },
+          "shapes": [{ "type": "plane", "point": [0, 0, 0], "normal": [0, 1, 0] }],
+          "lights": [
+            { "type": "sphere", "name": "left", "center": [-2, 2, 0], "radius": 0.3, "material": "glow" }, // stays
+            { "type": "sphere", "name": "right", "center": [2, 2, 0], "radius": 0.3, "material": "glow" },
+            { "type": "point", "name": "spark", "position": [0, 1, 0], "intensity": [0.1, 0.2, 0.3] },
+          ],
+        }
+        """;
+
+    private readonly TestSession _test = new();
+
+    private LightMixer Mixer => _test.Session.Mixer;
+
+    public void Dispose() => _test.Dispose();
+
+    [Fact]
+    public async Task Factors_change_the_running_picture_as_the_scene_does_and_never_the_film()
+    {
+        await _test.Open(TwoLamps);
+        string alone = await _test.FilmHash();
+        Assert.Null(Mixer.Lights);
+        Mixer.Mix(new Dictionary<string, float[]>());
+        Assert.Equal(alone, await _test.FilmHash());
+        Assert.Equal(["left", "right", "spark"], Mixer.Lights!.Select(l => l.Name));
+        Picture plain = await Shown();
+
+        long picture = _test.Session.View.Shown!.Picture;
+        Mixer.Mix(new Dictionary<string, float[]> { ["left"] = [0, 0, 0], ["spark"] = [3, 1, 1] });
+        Assert.Equal(new Rgb(3, 1, 1), Mixer.Lights![2].Factor);
+        Picture mixed = await Shown(plain);
+        Assert.Equal((picture, alone), (_test.Session.View.Shown!.Picture, await _test.FilmHash()));
+        Assert.True(mixed.Pixels.Sum() < 0.8 * plain.Pixels.Sum());
+
+        // The scene with these lights looks the same, for the same random numbers.
+        await _test.Open(TwoLamps.Replace("\"radius\": 0.3, \"material\": \"glow\" }, // stays", "\"radius\": 0.3, \"material\": { \"type\": \"luminaire\", \"multiplier\": 0 } }, // stays", StringComparison.Ordinal).Replace("[0.1,", "[0.3,", StringComparison.Ordinal));
+        await _test.FilmHash();
+        Picture scene = await _test.Session.View.Loop.ReadFilm((film, _, _) => film.ToPicture());
+        double difference = scene.Pixels.Zip(mixed.Pixels, (a, b) => Math.Abs(a - b)).Average();
+        Assert.InRange(difference, 0, 0.02 * scene.Pixels.Average());
+    }
+
+    [Fact]
+    public async Task Factors_are_written_into_the_scene_in_one_step()
+    {
+        await _test.Open(TwoLamps);
+        Mixer.Mix(new Dictionary<string, float[]> { ["left"] = [0.5f, 0.5f, 0.5f], ["spark"] = [2, 0, 1] });
+        Mixer.Write();
+        string text = _test.Session.Document.Text;
+        Assert.Contains("\"name\": \"left\", \"center\": [-2, 2, 0], \"radius\": 0.3, \"material\": { \"type\": \"luminaire\", \"color\": [1, 0.5, 0.25], \"multiplier\": 2 } }, // stays", text, StringComparison.Ordinal);
+        Assert.Contains("\"radius\": 0.3, \"material\": \"glow\" },\n", text, StringComparison.Ordinal);
+        Assert.Contains("\"intensity\": [0.2, 0, 0.3]", text, StringComparison.Ordinal);
+        await _test.Until(() => _test.Session.View.Shown?.Good.Revision == _test.Session.Document.Revision ? Mixer.Lights : null);
+        Assert.All(Mixer.Lights!, l => Assert.Equal(Rgb.White, l.Factor));
+        _test.Session.Document.Undo();
+        Assert.Equal(TwoLamps, _test.Session.Document.Text);
+        Mixer.Mix(null);
+        Assert.Null(Mixer.Lights);
+    }
+
+    [Fact]
+    public async Task What_cannot_be_mixed_is_said()
+    {
+        await _test.Open(TwoLamps.Replace("\"path\"", "\"normals\"", StringComparison.Ordinal));
+        SessionException refused = Assert.Throws<SessionException>(() => Mixer.Mix(new Dictionary<string, float[]>()));
+        Assert.Contains("Layers of light", refused.Message, StringComparison.Ordinal);
+        Assert.Null(Mixer.Lights);
+        await _test.Open(TwoLamps);
+        Assert.Throws<SessionException>(() => Mixer.Mix(new Dictionary<string, float[]> { ["left"] = [1, -1, 1] }));
+        Assert.Throws<SessionException>(() => Mixer.Mix(new Dictionary<string, float[]> { ["left"] = [1] }));
+    }
+
+    // The last frame, and one that differs from an earlier one.
+    private async Task<Picture> Shown(Picture? before = null)
+    {
+        for (long version = 0; ;)
+        {
+            using FrameLease frame = await _test.Frame(version, f => f.IsLast);
+            Picture picture = new(frame.Picture.Width, frame.Picture.Height);
+            for (int y = 0; y < picture.Height; y++)
+            {
+                frame.Picture.ReadRow(y, picture.Pixels.AsSpan(3 * y * picture.Width, 3 * picture.Width));
+            }
+
+            if (before?.Pixels.SequenceEqual(picture.Pixels) != true)
+            {
+                return picture;
+            }
+
+            version = frame.Version;
+        }
+    }
+}
