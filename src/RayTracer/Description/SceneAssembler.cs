@@ -26,7 +26,7 @@ internal sealed class SceneAssembler(SceneBuilder builder)
     private const long BytesPerTriangle = 100;
 
     // The objects that instances show, by the material that they are shown in, or themselves where they keep theirs.
-    private readonly Dictionary<ShapeDescription, Dictionary<object, SpaceContents>> _objects = new(ReferenceEqualityComparer.Instance);
+    private Dictionary<ShapeDescription, Dictionary<object, SpaceContents>> _objects = new(ReferenceEqualityComparer.Instance);
     private readonly MeshMender _mender = new(builder);
 
     // Whose meshes are being added; null outside of models.
@@ -398,8 +398,14 @@ internal sealed class SceneAssembler(SceneBuilder builder)
         }
 
         SceneDescription scene = ModelPlayback.Of(model, imported, builder);
-        ModelDescription? outer = _model;
+        (ModelDescription? outer, Dictionary<ShapeDescription, Dictionary<object, SpaceContents>> objects) = (_model, _objects);
         _model = model;
+        if (model.Smooth || model.Refinement.MovesCorners)
+        {
+            // Its objects are other ones than where the same file is shown as it is.
+            _objects = new(ReferenceEqualityComparer.Instance);
+        }
+
         using (builder.Within(model, nameof(ModelDescription.File)))
         using (builder.InheritNothing(builder.ReplacementBy(model.Material)))
         {
@@ -410,6 +416,6 @@ internal sealed class SceneAssembler(SceneBuilder builder)
             }
         }
 
-        _model = outer;
+        (_model, _objects) = (outer, objects);
     }
 }

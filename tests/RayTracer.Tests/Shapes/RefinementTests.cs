@@ -144,6 +144,20 @@ public class RefinementTests
         Assert.Equal(triangles, scene.World.Itself.Mesh!.Count);
     }
 
+    [Fact]
+    public void A_model_is_refined_as_it_says_wherever_else_its_file_is_shown()
+    {
+        MeshDescription mesh = new() { Data = s_octahedron };
+        SceneDescription file = new() { Shapes = [mesh, new InstanceDescription { Of = mesh }] };
+        SceneBuilder builder = new(loadModel: _ => new(file, []));
+        ModelDescription plain = new() { File = "x" };
+        ModelDescription fine = plain with { Refinement = new() { Subdivide = 1, Scheme = SubdivisionScheme.Loop } };
+        Scene scene = builder.Build(new() { Shapes = [plain, fine, plain with { Smooth = true }] })!;
+        Assert.Equal(8 + 32 + 8, scene.World.Itself.Mesh!.Count);
+        Assert.Equal([8, 32, 8], Enumerable.Range(1, 3).Select(i => scene.World.Instances!.SpaceOf(i).Mesh!.Count));
+        Assert.Equal([false, true, true], Enumerable.Range(1, 3).Select(i => scene.World.Instances!.SpaceOf(i).Contents.Meshes[0].Data.Normals is not null));
+    }
+
     private static MeshData Refine(MeshData mesh, RefinementDescription wanted) => MeshRefiner.Refine(mesh, wanted, null, isFlat: false);
 
     // Every edge, by places, once in either direction.
