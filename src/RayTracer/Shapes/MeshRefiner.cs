@@ -51,7 +51,13 @@ internal static unsafe class MeshRefiner
 
     private static PolygonMesh Moved(PolygonMesh mesh, Vector3[] positions) => new()
     {
-        Positions = positions, Starts = mesh.Starts, Corners = mesh.Corners, Creases = mesh.Creases, Uv = mesh.Uv, Colors = mesh.Colors, Materials = mesh.Materials,
+        Positions = positions,
+        Starts = mesh.Starts,
+        Corners = mesh.Corners,
+        Creases = mesh.Creases,
+        Uv = mesh.Uv,
+        Colors = mesh.Colors,
+        Materials = mesh.Materials,
     };
 
     // One movement for each place, so that there are no cracks where uv of its faces differ.

@@ -105,7 +105,13 @@ internal sealed class PolygonMesh
 
         return new()
         {
-            Positions = Positions, Starts = Starts, Corners = Corners, Creases = creases, Uv = Uv, Colors = Colors, Materials = Materials,
+            Positions = Positions,
+            Starts = Starts,
+            Corners = Corners,
+            Creases = creases,
+            Uv = Uv,
+            Colors = Colors,
+            Materials = Materials,
         };
     }
 
