@@ -79,7 +79,7 @@ public readonly record struct MaterialTraits()
     /// </summary>
     public Nesting? Nesting { get; init; }
 
-    /// <summary>What the surface is to the camera, in pictures with alpha: a part of another material is none.</summary>
+    /// <summary>What the surface is to the camera, in pictures with alpha.</summary>
     public MatteRole Matte { get; init; }
 
     /// <summary>
@@ -114,6 +114,7 @@ public readonly record struct MaterialTraits()
         ReciprocityException = one.ReciprocityException ?? other.ReciprocityException,
         Interior = one.Interior ?? other.Interior,
         Nesting = one.Nesting ?? other.Nesting,
+        Matte = one.Matte == MatteRole.None ? other.Matte : one.Matte,
     };
 }
 

@@ -18,7 +18,7 @@ internal sealed class PassCell(Tile area)
     private const int MostPooled = RTracer.LargestTile * RTracer.LargestTile * Film.SumsPerPixel;
     private readonly long[] _sums = Rent(area.Pixels * Film.SumsPerPixel);
     private long[]? _rest;
-    private readonly long[]?[] _beside = new long[]?[FilmPlane.OfSamples.Count];
+    private readonly long[]?[] _beside = new long[FilmPlane.OfSamples.Count][];
     private long _handed;
 
     /// <summary>The pixels.</summary>

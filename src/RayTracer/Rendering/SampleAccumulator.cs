@@ -23,6 +23,7 @@ internal sealed unsafe class SampleAccumulator(int maxPixels)
     private readonly PinnedBuffer<uint> _pixels = new(FloatW.Count);
     private readonly List<BadSample> _bad = [];
     private Film _film = null!;
+    private FilmPlane[] _planes = [];
     private Tile _tile;
     private ReadOnlyMemory<int> _targets;
     private int _samples;
@@ -43,8 +44,8 @@ internal sealed unsafe class SampleAccumulator(int maxPixels)
     /// <param name="samples">The number of samples that each pixel will have.</param>
     public void Begin(Film film, in Tile tile, int samples)
     {
-        (_film, _tile, _targets, _samples) = (film, tile, default, samples);
-        Clear();
+        (_tile, _targets, _samples) = (tile, default, samples);
+        Clear(film);
     }
 
     /// <summary>Prepares for the samples of single pixels.</summary>
@@ -53,8 +54,8 @@ internal sealed unsafe class SampleAccumulator(int maxPixels)
     /// <param name="samples">The number of samples that each pixel will have.</param>
     public void BeginPixels(Film film, ReadOnlyMemory<int> targets, int samples)
     {
-        (_film, _targets, _samples) = (film, targets, samples);
-        Clear();
+        (_targets, _samples) = (targets, samples);
+        Clear(film);
     }
 
     /// <summary>Adds a packet of samples.</summary>
@@ -206,7 +207,7 @@ internal sealed unsafe class SampleAccumulator(int maxPixels)
             ReadOnlySpan<long> rest = _hasRest ? new(_rest.Pointer + pixel, length) : default;
             _film.AddRow(x, y, sums, rest, _samples, isOfHalf);
             cell?.Keep(x, y, sums, rest);
-            foreach (FilmPlane plane in FilmPlane.OfSamples.Where(_film.Planes.Contains))
+            foreach (FilmPlane plane in _planes)
             {
                 ReadOnlySpan<long> beside = new(_beside[plane.IndexOfSamples]!.Pointer + ((nint)pixel * plane.Sums.Count), length * plane.Sums.Count);
                 _film.AddToPlane(plane, x, y, beside);
@@ -217,11 +218,16 @@ internal sealed unsafe class SampleAccumulator(int maxPixels)
 
     private int Pixels => _targets.IsEmpty ? _tile.Pixels : _targets.Length;
 
-    private void Clear()
+    private void Clear(Film film)
     {
+        if (_film != film)
+        {
+            (_film, _planes) = (film, [.. FilmPlane.OfSamples.Where(film.Planes.Contains)]);
+        }
+
         NativeMemory.Clear(_sums.Pointer, (nuint)Pixels * Film.SumsPerPixel * sizeof(long));
         _hasRest = false;
-        foreach (FilmPlane plane in FilmPlane.OfSamples.Where(_film.Planes.Contains))
+        foreach (FilmPlane plane in _planes)
         {
             PinnedBuffer<long> beside = _beside[plane.IndexOfSamples] ??= new((long)maxPixels * plane.Sums.Count);
             NativeMemory.Clear(beside.Pointer, (nuint)(Pixels * plane.Sums.Count) * sizeof(long));
