@@ -79,6 +79,7 @@ public class MaterialTraitsTests
             {
                 nameof(MaterialTraits.Specular) => SpecularLobe.Delta,
                 nameof(MaterialTraits.MostEnergy) => 2f,
+                nameof(MaterialTraits.Matte) => MatteRole.Holdout,
                 nameof(MaterialTraits.Interior) => new Medium(Rgb.White, Rgb.White, 0),
                 nameof(MaterialTraits.Nesting) => new Nesting(1, Dispersion.None(1.5f), Rgb.Black),
                 _ when trait.PropertyType == typeof(string) => "for a reason",

@@ -93,6 +93,7 @@ internal sealed record MaterialCase(string Name, Material Material)
         new("rough plastic", new RoughPlasticMaterial(new UvTexture(), 1.49f, false, Solid(1), MicrofacetDistribution.Beckmann, 0.3f)) { Exponent = 10 },
         new("one-sided plastic", new OneSidedMaterial(new PlasticMaterial(Solid(0.5f), 1.5f, true, Solid(1)))) { SeenFromBehind = false },
         new("holdout", new MatteMaterial(Diffuse(0.2f, 0.5f, 0.8f), MatteRole.Holdout)),
+        new("white shadow catcher", new MatteMaterial(Diffuse(1, 1, 1), MatteRole.ShadowCatcher)) { Albedo = Rgb.White },
         new("two-sided", new TwoSidedMaterial(Diffuse(0.2f, 0.5f, 0.8f), new OneSidedMaterial(RoughIron(0.3f)))) { Exponent = 10 },
         new("white on both sides", new TwoSidedMaterial(Diffuse(1, 1, 1), Diffuse(1, 1, 1))) { Albedo = Rgb.White },
         new("mix of white", new MixMaterial(Diffuse(1, 1, 1), Glass(1.5f, Rgb.Black), Solid(0.3f))) { Index = 1.5, Albedo = Rgb.White, IsMixture = true, AlbedoTolerance = MeanOfTwo },
