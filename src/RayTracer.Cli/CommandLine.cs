@@ -245,9 +245,8 @@ internal static class CommandLine
             : string.Join(' ', words.Append("[options]"));
     }
 
-    // What belongs to a verb, and takes no words, is its own example.
     private static string ExampleOf(Symbol command) => command.Parents.FirstOrDefault() is { Name: not "raytracer" } above
-        ? command is Command { Arguments.Count: 0, Subcommands.Count: 0 } ? $"{above.Name} {command.Name}" : ExampleOf(above)
+        ? VerbHelp.ExampleBelow(above, command, ExampleOf(above))
         : Verbs.FirstOrDefault(v => v.Name == command.Name)?.Example ?? "render scene.json -o picture.png";
 
     private static bool IsToOutput(string[] args, int i) => i > 0 && args[i] == "-" && (args[i - 1] is "-o" or "--output");

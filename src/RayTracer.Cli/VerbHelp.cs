@@ -21,7 +21,14 @@ internal sealed record VerbHelp(string Name, string Summary, string Synopsis, IR
     /// <param name="synopsis">Returns what stands after a verb.</param>
     /// <param name="example">A command.</param>
     public static IEnumerable<VerbHelp> Of(Command command, Func<Command, string> synopsis, string example) =>
-        [One(command, command.Name, synopsis, example), .. command.Subcommands.Where(c => !c.Hidden).Select(c => One(c, $"{command.Name} {c.Name}", synopsis, example))];
+        [One(command, command.Name, synopsis, example), .. command.Subcommands.Where(c => !c.Hidden).Select(c => One(c, $"{command.Name} {c.Name}", synopsis, ExampleBelow(command, c, example)))];
+
+    /// <summary>The example of a verb below another: what takes no words is its own.</summary>
+    /// <param name="above">The other verb.</param>
+    /// <param name="command">The verb below it.</param>
+    /// <param name="example">The example of the other.</param>
+    public static string ExampleBelow(Symbol above, Symbol command, string example) =>
+        command is Command { Arguments.Count: 0, Subcommands.Count: 0 } ? $"{above.Name} {command.Name}" : example;
 
     private static VerbHelp One(Command command, string name, Func<Command, string> synopsis, string example) => new(
         name,

@@ -91,7 +91,8 @@ public sealed class AovTests : IDisposable
     }
 
     [Theory]
-    [InlineData("-o OUT --aov dept", "--aov dept: unknown image \"dept\" (did you mean \"depth\"?), expected some of depth, normal, albedo, uv, primitive, bvhCost, samples, error")]
+    [InlineData("-o OUT --aov dept", "--aov dept: unknown image \"dept\" (did you mean \"depth\"?), expected some of depth, normal, albedo, uv, motion, primitive, bvhCost, samples, error")]
+    [InlineData("-o OUT --aov motion", "--aov motion: nothing moves while the shutter is open for no time: give \"shutter\" under \"render\"")]
     [InlineData("-o OUT --aov depth,bvhcost", "unknown image \"bvhcost\" (did you mean \"bvhCost\"?)")]
     [InlineData("-o OUT --aov depth,", "unknown image \"\", expected some of")]
     [InlineData("--pixel 0,0 --aov depth", "--pixel prints numbers and writes no image: leave --aov out")]

@@ -89,6 +89,7 @@ public sealed class PropertyValuesTests
         "shapes" => JsonNode.Parse("""[{ "type": "sphere", "center": [0, 0, 0] }]""")!,
         "record" when parameter.RecordType == typeof(MediumDescription) => JsonNode.Parse("""{ "extinction": [1, 2, 3] }""")!,
         "record" when parameter.RecordType == typeof(RayTracer.Shapes.PlaybackDescription) => JsonNode.Parse("""{ "speed": 2 }""")!,
+        "record" when parameter.RecordType == typeof(RayTracer.Shapes.RefinementDescription) => JsonNode.Parse("""{ "subdivide": 2 }""")!,
         "records" when parameter.RecordType == typeof(KeyframeDescription) => JsonNode.Parse("""[{ "time": 1 }]""")!,
         "records" => JsonNode.Parse("""[{ "translate": [1, 2, 3] }]""")!,
         "numbers" => new JsonArray(1, 2.5),
