@@ -65,8 +65,8 @@ public sealed class LessonNumberTests
     [Fact]
     public void Environments()
     {
-        double zone = 1 - Math.Cos(Math.PI / 511);
-        States("29-environments", $"1 − cos(π/511) = {zone * 1e5:0.0}·10⁻⁵ of 2: {zone / 2 * 1e6:0.0}·10⁻⁶", $"once in {Math.Round(Math.PI / 6.8e-5 / 1000):0},000");
+        double zone = 1 - Math.Cos(Math.PI / 512);
+        States("29-environments", $"1 − cos(π/512) = {zone * 1e5:0.0}·10⁻⁵ of 2: {zone / 2 * 1e6:0.0}·10⁻⁶", $"once in {Math.Round(Math.PI / 6.8e-5 / 1000):0},000");
         Assert.Equal(200, 1.0 / 512 / (zone / 2), 10.0);
     }
 
