@@ -212,11 +212,11 @@ public static class Checks
 
         public static Trial<Corners> Trial(
             string title, Func<Ray, Vector, Vector, Vector, double?> own, params IEnumerable<(string Sentence, Func<Corners, Answer?> Answer)> mistakes) => new()
-        {
-            Draw = Draw,
-            Found = c => own(c.Ray, c.A, c.B, c.C),
-            Expected = c => c.Answer(),
-            Mistakes =
+            {
+                Draw = Draw,
+                Found = c => own(c.Ray, c.A, c.B, c.C),
+                Expected = c => c.Answer(),
+                Mistakes =
             [
                 ("You have made a parallelogram: besides u ≥ 0 and v ≥ 0 the third coordinate, 1 − u − v, must not be below 0.", c => c.Answer(hasThird: false)),
                 ("You have made a wedge without end: besides u ≥ 0 and v ≥ 0 the third coordinate, 1 − u − v, must not be below 0.", c => c.Answer(hasThird: false, hasEnd: false)),
@@ -225,8 +225,8 @@ public static class Checks
                 ("You see the triangle from one side only: a positive determinant is none to give up at.", c => c.Answer(side: -1)),
                 .. mistakes,
             ],
-            Show = c => RayScene.Show(title, c.Ray, own(c.Ray, c.A, c.B, c.C), c.T, RayScene.Shape("triangle", "silver", ("a", c.A), ("b", c.B), ("c", c.C))),
-        };
+                Show = c => RayScene.Show(title, c.Ray, own(c.Ray, c.A, c.B, c.C), c.T, RayScene.Shape("triangle", "silver", ("a", c.A), ("b", c.B), ("c", c.C))),
+            };
 
         // The barycentric coordinates of the corners: that of A is 1 − u − v.
         public double W => 1 - U - V;
