@@ -7,14 +7,14 @@ namespace RayTracer.Materials;
 /// <summary>Describes the surface of a thing that a photograph shows already, and that pictures with alpha leave out (<see cref="FilmPlane.Matte"/>).</summary>
 public abstract record MatteMaterialDescription : MaterialDescription
 {
-    /// <summary>The role that it plays for the camera.</summary>
-    internal abstract MatteRole Role { get; }
+    /// <summary>The material of the thing itself.</summary>
+    [Parameter("The material that light meets, like that of the thing in the photograph; of any type but a luminaire.")]
+    public MaterialDescription Material { get; init; } = new DiffuseMaterialDescription();
 
     /// <inheritdoc/>
-    public override Material Build(SceneBuilder builder) => new MatteMaterial(WrapperMaterial.Part(builder, this, nameof(Material), Inner), Role);
+    public override Material Build(SceneBuilder builder) => new MatteMaterial(WrapperMaterial.Part(builder, this, nameof(Material), Material), Role);
 
-    /// <summary>The material of the thing itself.</summary>
-    private protected abstract MaterialDescription Inner { get; }
+    private protected abstract MatteRole Role { get; }
 }
 
 /// <summary>Describes a thing that is cut out.</summary>
@@ -22,13 +22,7 @@ public abstract record MatteMaterialDescription : MaterialDescription
     + "is hidden by it. Light, shadows and mirrors see the other material.")]
 public sealed record HoldoutMaterialDescription : MatteMaterialDescription
 {
-    /// <summary>The material of the thing itself.</summary>
-    [Parameter("The material that light meets; of any type but a luminaire.")]
-    public MaterialDescription Material { get; init; } = new DiffuseMaterialDescription();
-
-    internal override MatteRole Role => MatteRole.Holdout;
-
-    private protected override MaterialDescription Inner => Material;
+    private protected override MatteRole Role => MatteRole.Holdout;
 }
 
 /// <summary>Describes a thing of which pictures with alpha show the shadows alone.</summary>
@@ -36,13 +30,7 @@ public sealed record HoldoutMaterialDescription : MatteMaterialDescription
     + "and the light that they throw is added. Light and mirrors see the other material.")]
 public sealed record ShadowCatcherMaterialDescription : MatteMaterialDescription
 {
-    /// <summary>The material of the thing itself.</summary>
-    [Parameter("The material that light meets, like that of the thing in the photograph; of any type but a luminaire.")]
-    public MaterialDescription Material { get; init; } = new DiffuseMaterialDescription();
-
-    internal override MatteRole Role => MatteRole.ShadowCatcher;
-
-    private protected override MaterialDescription Inner => Material;
+    private protected override MatteRole Role => MatteRole.ShadowCatcher;
 }
 
 /// <summary>What a surface is to the camera, in pictures with alpha.</summary>

@@ -40,14 +40,7 @@ public sealed partial class Film
     /// <param name="y">Row.</param>
     /// <param name="sums">The plane's sums of each pixel.</param>
     /// <param name="sign">1 to add, −1 to take away.</param>
-    internal void AddToPlane(FilmPlane plane, int x, int y, ReadOnlySpan<long> sums, int sign = 1)
-    {
-        Span<Int128> target = PlaneRow(plane, Index(x, y), sums.Length);
-        for (int i = 0; i < sums.Length; i++)
-        {
-            target[i] += sign * sums[i];
-        }
-    }
+    internal void AddToPlane(FilmPlane plane, int x, int y, ReadOnlySpan<long> sums, int sign = 1) => Add(PlaneRow(plane, Index(x, y), sums.Length), sums, sign);
 
     // On a shadow catcher, what is laid under the picture keeps the ratio of the light with all things to that without them; light that they add is added
     // (Debevec, "Rendering Synthetic Objects into Real Scenes", 1998, section 5.2: differential rendering).

@@ -262,7 +262,7 @@ public sealed partial class Film : IImageRows
 
     /// <summary>As <see cref="AddPlane(FilmPlane, int, ReadOnlySpan{Int128})"/>, of a row whose sums all fit into 64 bits.</summary>
     /// <inheritdoc cref="AddPlane(FilmPlane, int, ReadOnlySpan{Int128})"/>
-    public void AddPlane(FilmPlane plane, int y, ReadOnlySpan<long> sums) => Add(PlaneRow(plane, Index(0, y), sums.Length), sums);
+    public void AddPlane(FilmPlane plane, int y, ReadOnlySpan<long> sums) => AddToPlane(plane, 0, y, sums);
 
     private static void Add(Span<Int128> target, ReadOnlySpan<Int128> sums)
     {
@@ -272,11 +272,11 @@ public sealed partial class Film : IImageRows
         }
     }
 
-    private static void Add(Span<Int128> target, ReadOnlySpan<long> sums)
+    private static void Add(Span<Int128> target, ReadOnlySpan<long> sums, int sign = 1)
     {
         for (int i = 0; i < target.Length; i++)
         {
-            target[i] += sums[i];
+            target[i] += sign * sums[i];
         }
     }
 
@@ -350,11 +350,7 @@ public sealed partial class Film : IImageRows
     {
         int first = (y * Width) + x;
         Span<Int128> targetSums = _sums.AsSpan(first * SumsPerPixel, sums.Length);
-        for (int i = 0; i < sums.Length; i++)
-        {
-            targetSums[i] += sign * sums[i];
-        }
-
+        Add(targetSums, sums, sign);
         Span<uint> targetCounts = _counts.AsSpan(first, sums.Length / SumsPerPixel);
         for (int i = 0; i < targetCounts.Length; i++)
         {

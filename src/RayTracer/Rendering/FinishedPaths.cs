@@ -15,7 +15,6 @@ public sealed unsafe class FinishedPaths
     private readonly PathObserver? _observer;
     private readonly Backdrop? _backdrop;
     private readonly Backdrop? _withAll;
-    private readonly bool _hasMatte;
     private readonly bool _hasWeights;
     private readonly int _stride;
     private SampleRange _samples;
@@ -35,7 +34,6 @@ public sealed unsafe class FinishedPaths
         Scene scene, int capacity, RayGenerator generator, SampleAccumulator accumulator, PathObserver? observer, Backdrop? backdrop, Backdrop? withAll = null)
     {
         _withAll = withAll;
-        _hasMatte = scene.MattesAlone is not null;
         _observer = observer;
         _backdrop = backdrop;
         _scene = scene;
@@ -132,7 +130,7 @@ public sealed unsafe class FinishedPaths
         }
 
         _accumulator.AddBackdrop(inUse, pixel, gathered, through * weight, light * weight);
-        if (caught.Bits != 0 && _hasMatte)
+        if (caught.Bits != 0)
         {
             _accumulator.AddCaught(caught, pixel, through * weight, light * weight);
         }

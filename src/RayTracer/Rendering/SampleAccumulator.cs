@@ -126,8 +126,14 @@ internal sealed unsafe class SampleAccumulator(int maxPixels)
     public void AddAlone(MaskW lanes, in UIntW pixels, in RgbW light) =>
         AddBeside(FilmPlane.Matte, FilmPlane.Matte.Sums.Count - 3, lanes & IsFinite(light), pixels, [light.R, light.G, light.B]);
 
+    // Nothing where the film has no such plane.
     private void AddBeside(FilmPlane plane, int first, MaskW lanes, in UIntW pixels, ReadOnlySpan<FloatW> values)
     {
+        if (!_planes.Contains(plane))
+        {
+            return;
+        }
+
         for (uint rest = lanes.Bits; rest != 0; rest &= rest - 1)
         {
             int lane = BitOperations.TrailingZeroCount(rest);

@@ -169,6 +169,16 @@ public class MatteTests
     }
 
     [Fact]
+    public void A_film_without_the_plane_leaves_a_hole_for_a_catcher()
+    {
+        Scene scene = Build($"{Floor("shadowCatcher")}, {Ball(null)}", lights: Point);
+        Film film = new(16, 16, FilmPlane.Alpha);
+        new RTracer(scene, new() { Threads = 1 }).Render(film);
+        Assert.Equal(0, film.Alpha(0, 0), 1e-6f);
+        Assert.Equal(1, film.Alpha(8, 8), 1e-6f);
+    }
+
+    [Fact]
     public void What_a_pass_gave_is_taken_back()
     {
         Film film = new(2, 1, FilmPlane.Alpha, FilmPlane.Matte);
