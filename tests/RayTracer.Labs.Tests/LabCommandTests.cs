@@ -72,7 +72,7 @@ public sealed class LabCommandTests : IDisposable
             """);
         CliRun.Fine("lab", "grade", _folder["in"], "--seconds", "3", "--json", _folder["marks.json"]);
         Dictionary<string, string> said = JsonDocument.Parse(File.ReadAllText(_folder["marks.json"])).RootElement.EnumerateArray()
-            .ToDictionary(m => m.GetProperty("handIn").GetString()!, m => m.GetProperty("checks")[0].GetProperty("sentence").GetString()!);
+            .ToDictionary(m => m.GetProperty("handIn").GetString()!, m => m.TryGetProperty("checks", out JsonElement checks) ? checks[0].GetProperty("sentence").GetString()! : $"{m.GetProperty("note")}");
         Assert.Contains("took longer than 3 seconds", said["loop"], StringComparison.Ordinal);
         Assert.Matches("OutOfMemoryException|ended the program|took longer", said["memory"]);
         Assert.EndsWith("done: .", said["spy"], StringComparison.Ordinal);

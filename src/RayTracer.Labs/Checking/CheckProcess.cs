@@ -9,6 +9,9 @@ internal static class CheckProcess
     // A lab that hangs in every check would keep a grader waiting.
     private const int MostEnds = 3;
 
+    // Until the runtime has started and the checks are listed, which runs nothing of a student and takes long where a machine is busy.
+    private static readonly TimeSpan s_start = TimeSpan.FromMinutes(1);
+
     // Bytes of managed memory, in hexadecimal digits: 1 GiB.
     private const string HeapLimit = "40000000";
 
@@ -35,14 +38,9 @@ internal static class CheckProcess
         do
         {
             using BoundedProcess process = new(command(findings.Count), Environment);
-            DateTime end = DateTime.UtcNow + limit;
-            checks ??= Parse<IReadOnlyList<Finding>>(process.ReadLine(end))
-                ?? throw new LabException($"the checks could not be started: {(process.Finish(end) is null ? "they took too long" : process.FirstError)}");
-            if (findings.Count > 0)
-            {
-                _ = process.ReadLine(end);
-            }
-
+            DateTime end = DateTime.UtcNow + s_start;
+            IReadOnlyList<Finding>? listed = Parse<IReadOnlyList<Finding>>(process.ReadLine(end));
+            checks ??= listed ?? throw new LabException($"the checks could not be started: {(process.Finish(end) is null ? "they took too long" : process.FirstError)}");
             for (bool goesOn = true; goesOn && findings.Count < checks.Count;)
             {
                 end = DateTime.UtcNow + limit;
