@@ -95,6 +95,8 @@ public sealed partial class LabTests
     [InlineData(4, "strata", "panel.png")]
     [InlineData(5, "a room", "room.png")]
     [InlineData(6, "three balls", "balls.png")]
+    [InlineData(7, "a glass ball", "ball.png")]
+    [InlineData(8, "a picture", "balls.png")]
     public void A_picture_of_a_handout_is_what_the_solution_makes(int number, string title, string name)
     {
         Exhibit exhibit = s_variants.Value.Check(Lab.Of(number), LabVariants.Solution, "Ada").First(f => f.Title == title).Exhibits[0];

@@ -9,6 +9,9 @@ public interface IWitness
     /// <summary>A ray has met something, or gone into the open.</summary>
     void Met(in Ray ray, in Hit hit, bool isHit);
 
+    /// <summary>A path from a light begins.</summary>
+    void Began();
+
     /// <summary>Where the last ray ended something shines: its radiance, and the share of it that counts.</summary>
     void Shone(Rgb radiance, double share);
 

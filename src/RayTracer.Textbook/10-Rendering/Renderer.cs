@@ -26,17 +26,38 @@ public sealed class Renderer(Scene scene, IIntegrator integrator, int width, int
         Rgb[] pixels = new Rgb[width * height];
         ParallelOptions options = new() { MaxDegreeOfParallelism = threads, CancellationToken = cancellation };
         Parallel.For(0, height, options, () => newSampler(0), (y, _, sampler) => Row(pixels, y, sample, sampler), _ => { });
-        if (integrator is ILightPathIntegrator fromLights)
+        Parallel.For(0, height, options, () => new List<(int Pixel, Rgb Light)>(), (y, _, splats) =>
         {
-            TraceLight(fromLights, pixels, sample, options);
-        }
-
+            TraceLight(scene, y, sample, (column, row, light) => splats.Add(((row * width) + column, light)));
+            return splats;
+        },
+        splats =>
+        {
+            lock (pixels)
+            {
+                splats.ForEach(s => pixels[s.Pixel] += s.Light);
+            }
+        });
         return pixels;
     }
 
-    /// <summary>
-    /// The light that a sample of a pixel, counted from 0, brings by its own rays, while somebody looks; paths from lights are not followed.
-    /// </summary>
+    /// <summary>Follows paths from the lights: as many as a row has pixels, each of which may light any pixel of the picture.</summary>
+    /// <param name="seen">The scene, perhaps with somebody who looks.</param>
+    /// <param name="y">The row.</param>
+    /// <param name="sample">Number of the sample, from 0.</param>
+    /// <param name="splat">Takes the column and row of a pixel, and the light that it gets: one sample of all pixels is the mean of all paths.</param>
+    public void TraceLight(Scene seen, int y, int sample, Action<int, int, Rgb> splat)
+    {
+        ISampler sampler = newSampler(1);
+        for (int x = 0; x < width && integrator is ILightPathIntegrator fromLights; x++)
+        {
+            sampler.Begin(x, y, sample);
+            seen.Witness?.Began();
+            fromLights.TraceLight(seen, sampler, (column, row, light) => splat((int)column, (int)row, light * (1.0 / (width * height))));
+        }
+    }
+
+    /// <summary>The light that a sample of a pixel, counted from 0, brings by its own rays, while somebody looks.</summary>
     public Rgb Follow(int x, int y, int sample, IWitness witness)
     {
         Begin(sample);
@@ -66,28 +87,5 @@ public sealed class Renderer(Scene scene, IIntegrator integrator, int width, int
         (double u, double v) = sampler.Next2();
         Ray ray = seen.Camera.RayThrough(x + u, y + v, sampler);
         return integrator.Radiance(seen, ray, sampler);
-    }
-
-    // As many paths from the lights as there are pixels, each of which may light any of them: one sample of all is their mean.
-    private void TraceLight(ILightPathIntegrator fromLights, Rgb[] pixels, int sample, ParallelOptions options)
-    {
-        Lock gate = new();
-        Parallel.For(0, height, options, () => (Sampler: newSampler(1), Splats: new List<(int Pixel, Rgb Light)>()), (y, _, own) =>
-        {
-            for (int x = 0; x < width; x++)
-            {
-                own.Sampler.Begin(x, y, sample);
-                fromLights.TraceLight(scene, own.Sampler, (column, row, light) => own.Splats.Add((((int)row * width) + (int)column, light)));
-            }
-
-            return own;
-        },
-        own =>
-        {
-            lock (gate)
-            {
-                own.Splats.ForEach(s => pixels[s.Pixel] += s.Light * (1.0 / pixels.Length));
-            }
-        });
     }
 }

@@ -55,6 +55,42 @@ public sealed class TextbookPathTests
     }
 
     [Fact]
+    public async Task Paths_from_lights_are_followed_back_from_the_pixel_they_end_in()
+    {
+        using TestSession test = new();
+        test.Session.View.Change(s => s.WithEdition("textbook"));
+        await test.Open("""
+            {
+              "render": { "width": 16, "height": 12, "samplesPerPixel": 4, "integrator": "light" },
+              "camera": { "position": [0, 3, 6], "lookAt": [0, 0, 0] },
+              "shapes": [
+                { "type": "plane", "name": "floor", "point": [0, -1, 0], "normal": [0, 1, 0] },
+                { "type": "sphere", "name": "ball", "center": [0, 0, 0], "material": { "type": "dielectric" } },
+                { "type": "sphere", "name": "lamp", "center": [0, 5, 0], "radius": 0.5, "material": { "type": "luminaire", "emission": [9, 9, 9] } }
+              ]
+            }
+            """);
+        await test.FilmHash();
+        int through = 0;
+        for (int x = 0; x < 16; x += 3)
+        {
+            InspectedPixel pixel = await test.Session.Part<PathInspector>().Inspect(x, 7, 0, 4);
+            Near(pixel.Pixel!.Value, pixel.Samples.Aggregate(default(Rgb), (sum, s) => sum + s.Radiance) * 0.25f);
+            foreach (InspectedPath path in pixel.Samples)
+            {
+                Near(path.Radiance, Sum(path.Vertices.Select(Contribution)));
+                InspectedWay[] seen = [.. path.Ways.Where(w => w.Event == "seen")];
+                Near(Sum(seen.Select(w => w.Radiance)), Contribution(path.Vertices[0]));
+                Assert.All(seen, w => Assert.Equal((w.Things.Count + 1, w.Things.Count + 2), (w.LightVertices, w.Points.Count)));
+                Assert.All(seen, w => Assert.True(MathF.Abs(Vector3.Distance(w.Points[^1], new(0, 5, 0)) - 0.5f) < 0.01f));
+                through += seen.Count(w => w.Things is ["ball", .., "floor"]);
+            }
+        }
+
+        Assert.True(through > 0);
+    }
+
+    [Fact]
     public async Task Names_and_places_are_those_of_the_fast_edition()
     {
         using TestSession test = new();

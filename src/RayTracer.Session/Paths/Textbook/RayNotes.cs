@@ -36,6 +36,9 @@ internal sealed class RayNotes(Textbook.Rgb ambient, bool weighsPart) : IWitness
     }
 
     /// <inheritdoc/>
+    public void Began() => Vertices.Clear();
+
+    /// <inheritdoc/>
     public void Shone(Textbook.Rgb radiance, double share) => (Vertices[^1].Radiance, Vertices[^1].Share) = (radiance, share);
 
     /// <inheritdoc/>

@@ -6,11 +6,12 @@ using Vertex = RayTracer.Session.RayNotes.Vertex;
 
 namespace RayTracer.Session;
 
-/// <summary>Follows samples of a pixel once more in the textbook edition. Paths from lights are not followed.</summary>
+/// <summary>Follows samples of a pixel once more in the textbook edition, and the paths from lights that end in it.</summary>
 /// <param name="shown">The scene.</param>
 /// <param name="renderer">The edition's renderer of it.</param>
 internal sealed class TextbookPaths(ViewportScene shown, Renderer renderer)
 {
+    private const int MostWays = 64;
     private readonly bool _weighsPart = shown.Settings.Edition?.Contains(':', StringComparison.Ordinal) == true || shown.Scene.Render.Integrator.Name == "report";
 
     /// <summary>Follows some samples of a pixel.</summary>
@@ -22,10 +23,46 @@ internal sealed class TextbookPaths(ViewportScene shown, Renderer renderer)
         List<List<Vertex>> branches = Branches(notes);
         List<Vertex> path = branches.MaxBy(b => b.Sum(v => v.Contribution.Luminance))!;
         Textbook.Rgb rest = light - notes.Vertices.Aggregate(default(Textbook.Rgb), (sum, v) => sum + v.Contribution);
-        InspectedVertex[] vertices = [Camera(path[0]), .. path.Select((v, i) => i < path.Count - 1 ? Of(v, path[i + 1].Came, default) : Of(v, null, rest))];
-        IReadOnlyList<InspectedWay> ways = branches.Count < 2 ? [] : Ways(branches);
-        return new InspectedPath(sample, Single(light), vertices, ways, PathSentence.Of(Single(light), vertices, shown.Scene.Render.Integrator));
+        List<InspectedWay> seen = Seen(x, y, sample, path[0], out Textbook.Rgb lens);
+        InspectedVertex[] vertices = [Camera(path[0], lens), .. path.Select((v, i) => i < path.Count - 1 ? Of(v, path[i + 1].Came, default) : Of(v, null, rest))];
+        IReadOnlyList<InspectedWay> ways = branches.Count < 2 && seen.Count == 0 ? [] : [.. Ways(branches, seen.Count > 0 ? "met" : "branch"), .. seen.Take(MostWays)];
+        return new InspectedPath(sample, Single(light + lens), vertices, ways, PathSentence.Of(Single(light + lens), vertices, shown.Scene.Render.Integrator));
     });
+
+    // Paths from the lights that bring light to the pixel in a sample: those of the whole picture are followed.
+    private List<InspectedWay> Seen(int x, int y, int sample, Vertex first, out Textbook.Rgb sum)
+    {
+        List<(Textbook.Rgb Light, Vertex[] Path)> found = [];
+        ParallelOptions options = new() { MaxDegreeOfParallelism = shown.Settings.Threads };
+        Parallel.For(0, shown.Scene.Render.Height, options, Watched, (row, _, own) =>
+        {
+            renderer.TraceLight(own.Scene, row, sample, (column, line, light) =>
+            {
+                if ((column, line) == (x, y))
+                {
+                    lock (found)
+                    {
+                        found.Add((light, [.. own.Notes.Vertices]));
+                    }
+                }
+            });
+            return own;
+        },
+        _ => { });
+        sum = found.Aggregate(default(Textbook.Rgb), (all, f) => all + f.Light);
+        return
+        [
+            .. found.OrderByDescending(f => f.Light.Luminance).Select(f => new InspectedWay(
+                f.Path.Length + 1, 1, "seen", Single(f.Light), 1, [.. f.Path.Select(NameOf)],
+                [Point(first.Ray.Origin), .. f.Path.Reverse().Select(PointOf), Point(f.Path[0].Ray.Origin)])),
+        ];
+
+        (RayNotes Notes, Textbook.Scene Scene) Watched()
+        {
+            RayNotes notes = new(default, _weighsPart);
+            return (notes, renderer.Scene.WatchedBy(notes));
+        }
+    }
 
     /// <summary>The rays of a sample.</summary>
     public RayNotes Follow(int x, int y, int sample, out Textbook.Rgb light)
@@ -60,21 +97,21 @@ internal sealed class TextbookPaths(ViewportScene shown, Renderer renderer)
     }
 
     // What several branches have in common counts for the first of them.
-    private List<InspectedWay> Ways(List<List<Vertex>> branches)
+    private List<InspectedWay> Ways(List<List<Vertex>> branches, string kind)
     {
         HashSet<Vertex> counted = [];
         return [.. branches.Select(b =>
         {
             Textbook.Rgb light = b.Where(counted.Add).Aggregate(default(Textbook.Rgb), (sum, v) => sum + v.Contribution);
             IReadOnlyList<string> things = [.. b.Select(NameOf)];
-            return new InspectedWay(0, b.Count + 1, "branch", Single(light), 1, things, [.. b.Select(PointOf).Reverse().Append(Point(b[0].Ray.Origin))]);
+            return new InspectedWay(0, b.Count + 1, kind, Single(light), 1, things, [.. b.Select(PointOf).Reverse().Append(Point(b[0].Ray.Origin))]);
         }).OrderByDescending(w => w.Radiance.Luminance)];
     }
 
-    private static InspectedVertex Camera(Vertex first)
+    private static InspectedVertex Camera(Vertex first, Textbook.Rgb lens)
     {
         double[] nothing = [0, 0, 0];
-        return new("camera", Point(first.Ray.Origin), null, "/camera", "camera", "", Numerics.Rgb.White, Numerics.Rgb.White, null, nothing, new(nothing, nothing, nothing));
+        return new("camera", Point(first.Ray.Origin), null, "/camera", "camera", "", Numerics.Rgb.White, Numerics.Rgb.White, null, Array(lens), new(nothing, nothing, Array(lens)));
     }
 
     private InspectedVertex Of(Vertex v, RayNotes.Way? taken, Textbook.Rgb rest)
