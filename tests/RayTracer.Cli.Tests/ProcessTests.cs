@@ -138,7 +138,7 @@ public sealed class ProcessTests : IDisposable
     [LinuxFact]
     public void Ctrl_C_leaves_the_reproduced_pictures_so_far()
     {
-        using Process process = Start("reproduce", "report", "-o", _folder["report"]);
+        using Process process = StartInterruptible("", "reproduce", "report", "-o", _folder["report"]);
         try
         {
             Task<string?> first = process.StandardOutput.ReadLineAsync();
@@ -228,10 +228,17 @@ public sealed class ProcessTests : IDisposable
         return (process.ExitCode, error.Result);
     }
 
+    // Tests that a shell runs in the background ignore Ctrl-C, and so would their children.
+    private static Process StartInterruptible(string redirection, params string[] args)
+    {
+        const string heed = "env --default-signal=INT";
+        string[] words = ["-c", $"if {heed} true 2> /dev/null; then exec {heed} \"$0\" \"$@\" {redirection}; else exec \"$0\" \"$@\" {redirection}; fi", Program, .. args];
+        return Process.Start(new ProcessStartInfo("/bin/sh", words) { UseShellExecute = false, RedirectStandardOutput = true, RedirectStandardError = true })!;
+    }
+
     private void SignalWritesTheImage(string signal, int status, string redirection = "")
     {
-        string[] words = ["-c", $"exec \"$0\" \"$@\" {redirection}", Program, "render", _scene, "-o", _folder["a.png"], "-o", _folder["a.pfm"], "--spp", "16777216"];
-        using Process process = Process.Start(new ProcessStartInfo("/bin/sh", words) { UseShellExecute = false, RedirectStandardOutput = true, RedirectStandardError = true })!;
+        using Process process = StartInterruptible(redirection, "render", _scene, "-o", _folder["a.png"], "-o", _folder["a.pfm"], "--spp", "16777216");
         try
         {
             // The first line of progress is proof that samples are in the film.

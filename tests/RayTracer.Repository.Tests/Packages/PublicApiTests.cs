@@ -14,6 +14,8 @@ public class PublicApiTests
     [InlineData("RayTracer.Imaging", typeof(ImageFile))]
     [InlineData("RayTracer.Scenes", typeof(SceneLoader))]
     [InlineData("RayTracer.Import", typeof(Importers))]
+    [InlineData("RayTracer.Textbook", typeof(Textbook.Scene))]
+    [InlineData("RayTracer.Adapters", typeof(Adapters.TextbookMaterialDescription))]
     public void The_committed_list_is_the_public_surface(string project, Type type) =>
         RepositoryFolder.AssertHolds(ProjectFolder.PathOf("src", project, "PublicApi.txt"), string.Join('\n', PublicApi.Of(type.Assembly)) + "\n");
 
