@@ -147,8 +147,16 @@ public sealed class PictureView : IDisposable
             {
                 (_start, _startPlace) = (null, null);
                 _settings = _settings with { Samples = null, Region = null };
+
+                // A small scene may have been built, and be shown, already.
+                if (_place == _document.Place)
+                {
+                    Show(_document.Content.LastGood, restart: true);
+                }
             }
         }
+
+        Changed?.Invoke();
     }
 
     /// <summary>The hash of everything that decides the value of a sample.</summary>

@@ -135,6 +135,21 @@ public sealed class FilmTests
     }
 
     [Fact]
+    public async Task A_scene_that_is_shown_before_it_is_known_to_be_no_film_gets_its_own_samples()
+    {
+        using TestSession test = new();
+        string scene = await Written(test);
+        string image = Path.Combine(test.Folder, "image.png");
+        ImageFile.Write(image, new Film(12, 8), new() { Metadata = [new("Command", $"raytracer render {scene} -o image.png --width 12 --height 8 --spp 4 --integrator path")] });
+        await OpenFile(test, image);
+        await test.Open(await File.ReadAllTextAsync(scene));
+        Assert.Equal(4, test.Session.View.Shown!.Scene.Render.SamplesPerPixel);
+        test.Session.View.Begin();
+        Assert.Equal(8, test.Session.View.Shown!.Scene.Render.SamplesPerPixel);
+        Assert.Equal(8, (await test.Done()).SamplesTotal);
+    }
+
+    [Fact]
     public async Task A_film_of_another_scene_is_not_gone_on_with()
     {
         using TestSession test = new();
