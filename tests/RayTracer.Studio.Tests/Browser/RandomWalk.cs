@@ -29,7 +29,8 @@ public class RandomWalk(ChromiumBrowser browser)
         w.Expected.Add("the refusal: {\"error\":");
         await w.Painted();
         List<string> log = [];
-        for (int i = 0; i < 500; i++)
+        int actions = TestSettings.Scale(100, 500);
+        for (int i = 0; i < actions; i++)
         {
             await Act(w, random, log);
         }
