@@ -1,5 +1,6 @@
-using System.Numerics;
 using System.Runtime.CompilerServices;
+using RayTracer.Numerics;
+using RayTracer.Rendering;
 
 namespace RayTracer.Session;
 
@@ -7,7 +8,7 @@ namespace RayTracer.Session;
 /// Smooths light within things: à-trous wavelets whose weights stop at other things, normals, distances, and at differences that the noise does not explain
 /// (Schied et al. 2017, "Spatiotemporal Variance-Guided Filtering"). A register of neighbouring pixels at a time, rows on several threads.
 /// </summary>
-internal static class EdgeFilter
+internal static unsafe class EdgeFilter
 {
     // How many standard deviations of its own noise a pixel's luminance may differ before it counts as something else.
     private const float Deviations = 4;
@@ -19,13 +20,13 @@ internal static class EdgeFilter
     /// <summary>Smooths once.</summary>
     /// <param name="from">The light.</param>
     /// <param name="guides">The edges.</param>
-    /// <param name="step">From a neighbour to the next, at most <see cref="MovingPlanes.Margin"/>.</param>
+    /// <param name="step">From a neighbour to the next, at most <see cref="PaddedRows.Margin"/>.</param>
     /// <param name="to">Takes the smoother light.</param>
     /// <param name="threads">The number of threads.</param>
     public static void Smooth(MovingPlanes from, MovingGuides guides, int step, MovingPlanes to, int threads) =>
-        MovingRows.ForEach(from.Height, threads, y =>
+        MovingRows.ForEach(from.Rows.Height, threads, y =>
         {
-            for (int x = 0; x < from.Width; x += Vector<float>.Count)
+            for (int x = 0; x < from.Rows.Width; x += FloatW.Count)
             {
                 Smooth(from, guides, x, y, step, to);
             }
@@ -33,15 +34,15 @@ internal static class EdgeFilter
 
     private static void Smooth(MovingPlanes from, MovingGuides guides, int x, int y, int step, MovingPlanes to)
     {
-        int at = from.At(x, y);
+        int at = from.Rows.At(x, y);
         Pixels middle = new(from, guides, at);
-        Vector<float> deviation = Vector<float>.One / ((Vector.SquareRoot(middle.Variance) * Deviations) + (middle.Luminance * 0.01f) + new Vector<float>(1e-4f));
+        FloatW deviation = 1f / ((FloatW.Sqrt(middle.Variance) * Deviations) + (middle.Luminance * 0.01f) + 1e-4f);
         Sums sums = default;
-        sums.Add(middle, new(s_kernel[1] * s_kernel[1]));
+        sums.Add(middle, s_kernel[1] * s_kernel[1]);
         for (int dy = -1; dy <= 1; dy++)
         {
             int row = y + (dy * step);
-            if (row < 0 || row >= from.Height)
+            if (row < 0 || row >= from.Rows.Height)
             {
                 continue;
             }
@@ -54,8 +55,8 @@ internal static class EdgeFilter
                 }
 
                 float share = s_kernel[dx + 1] * s_kernel[dy + 1];
-                Pixels other = new(from, guides, at + (dy * step * from.Stride) + (dx * step));
-                sums.Add(other, share * Alike(middle, other, deviation, step));
+                Pixels other = new(from, guides, at + (dy * step * from.Rows.Stride) + (dx * step));
+                sums.Add(other, Alike(middle, other, deviation, step) * share);
             }
         }
 
@@ -63,9 +64,9 @@ internal static class EdgeFilter
     }
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    private static Vector<float> Alike(in Pixels a, in Pixels b, in Vector<float> deviation, int step)
+    private static FloatW Alike(in Pixels a, in Pixels b, in FloatW deviation, int step)
     {
-        Vector<float> cosine = Vector.Max((a.NormalX * b.NormalX) + (a.NormalY * b.NormalY) + (a.NormalZ * b.NormalZ), Vector<float>.Zero);
+        FloatW cosine = FloatW.Max(Vec3W.Dot(a.Normal, b.Normal), 0f);
         cosine *= cosine;
         cosine *= cosine;
         cosine *= cosine;
@@ -73,50 +74,46 @@ internal static class EdgeFilter
         cosine *= cosine;
 
         // What surrounds everything has no normal.
-        cosine = Vector.ConditionalSelect(Vector.Equals(a.Thing, Vector<int>.Zero), Vector<float>.One, cosine);
-        Vector<float> light = Fall(Vector.Abs(a.Luminance - b.Luminance) * deviation);
-        Vector<float> depth = Fall(Vector.Abs(a.Depth - b.Depth) * (1 / (DepthSlope * step)));
-        return Vector.ConditionalSelect(Vector.Equals(a.Thing, b.Thing), cosine * light * depth, Vector<float>.Zero);
+        cosine = UIntW.Equal(a.Thing, 0u).Select(1f, cosine);
+        FloatW light = Fall(FloatW.Abs(a.Luminance - b.Luminance) * deviation);
+        FloatW depth = Fall(FloatW.Abs(a.Depth - b.Depth) * (1 / (DepthSlope * step)));
+        return UIntW.Equal(a.Thing, b.Thing).Select(cosine * light * depth, 0f);
     }
 
     // About e⁻ˣ.
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    private static Vector<float> Fall(Vector<float> x)
+    private static FloatW Fall(in FloatW x)
     {
-        Vector<float> rest = Vector.Max(Vector<float>.One - (x * 0.25f), Vector<float>.Zero);
+        FloatW rest = FloatW.Max(1f - (x * 0.25f), 0f);
         rest *= rest;
         return rest * rest;
     }
 
-    private readonly ref struct Pixels
+    private readonly struct Pixels
     {
-        public readonly Vector<float> Red, Green, Blue, Variance, Luminance, NormalX, NormalY, NormalZ, Depth;
-        public readonly Vector<int> Thing;
+        public readonly RgbW Light;
+        public readonly FloatW Variance, Luminance, Depth;
+        public readonly Vec3W Normal;
+        public readonly UIntW Thing;
 
         [MethodImpl(MethodImplOptions.AggressiveInlining)]
         public Pixels(MovingPlanes light, MovingGuides guides, int at)
         {
-            int size = light.Size;
-            (Red, Green, Blue, Variance) = (Load(light.All, at), Load(light.All, size + at), Load(light.All, (2 * size) + at), Load(light.All, (3 * size) + at));
-            Luminance = (Red * 0.2126f) + (Green * 0.7152f) + (Blue * 0.0722f);
-            (NormalX, NormalY, NormalZ, Depth) = (Load(guides.NormalX, at), Load(guides.NormalY, at), Load(guides.NormalZ, at), Load(guides.Depth, at));
-            Thing = Vector.LoadUnsafe(ref guides.Thing[at]);
+            (Light, Variance) = (light[at], FloatW.Load(light.Variance + at));
+            Luminance = (Light.R * 0.2126f) + (Light.G * 0.7152f) + (Light.B * 0.0722f);
+            (Normal, Depth, Thing) = (guides.Seen.Normal(at), FloatW.Load(guides.Depth + at), UIntW.Load(guides.Things + at));
         }
-
-        [MethodImpl(MethodImplOptions.AggressiveInlining)]
-        private static Vector<float> Load(float[] plane, int at) => Vector.LoadUnsafe(ref plane[at]);
     }
 
-    private ref struct Sums
+    private struct Sums
     {
-        private Vector<float> _red, _green, _blue, _variance, _weight;
+        private RgbW _light;
+        private FloatW _variance, _weight;
 
         [MethodImpl(MethodImplOptions.AggressiveInlining)]
-        public void Add(in Pixels pixels, in Vector<float> weight)
+        public void Add(in Pixels pixels, in FloatW weight)
         {
-            _red += pixels.Red * weight;
-            _green += pixels.Green * weight;
-            _blue += pixels.Blue * weight;
+            _light += pixels.Light * weight;
             _variance += pixels.Variance * weight * weight;
             _weight += weight;
         }
@@ -124,11 +121,9 @@ internal static class EdgeFilter
         // Beside the picture, where a row does not end with a register, no weight is left.
         public readonly void Store(MovingPlanes to, int at)
         {
-            Vector<float> scale = Vector<float>.One / Vector.Max(_weight, new Vector<float>(1e-6f));
-            (_red * scale).CopyTo(to.Red[at..]);
-            (_green * scale).CopyTo(to.Green[at..]);
-            (_blue * scale).CopyTo(to.Blue[at..]);
-            (_variance * scale * scale).CopyTo(to.Variance[at..]);
+            FloatW scale = 1f / FloatW.Max(_weight, 1e-6f);
+            to[at] = _light * scale;
+            (_variance * scale * scale).Store(to.Variance + at);
         }
     }
 }

@@ -7,8 +7,10 @@ namespace RayTracer.Session;
 /// <summary>Projects many points into the picture of a camera in which straight lines are straight.</summary>
 internal sealed class MovingCamera
 {
-    // The columns of the matrix that gives the places across and down, and the depth.
-    private readonly Vector4 _x, _y, _z;
+    private const float Nearest = 1e-6f;
+
+    // Products of these with what leads from the eye to a point give its place across and down, times the depth, and the depth.
+    private readonly Vector3 _right, _down, _forward;
     private readonly Vector2 _middle;
 
     /// <summary>Takes a camera, and the size of the picture in pixels.</summary>
@@ -16,26 +18,25 @@ internal sealed class MovingCamera
     {
         LaneMath.SinCosTurn(frame.FieldOfView / 720, out float sin, out float cos);
         float focal = height / 2f * cos / sin;
-        (Vector3 right, Vector3 down, Vector3 forward) = (frame.Right * focal, frame.Up * -focal, frame.Forward);
-        Eye = frame.Position;
-        (_x, _y, _z) = (new(right.X, down.X, forward.X, 0), new(right.Y, down.Y, forward.Y, 0), new(right.Z, down.Z, forward.Z, 0));
-        _middle = new(width / 2f, height / 2f);
+        (Eye, _right, _down, _forward, _middle) = (frame.Position, frame.Right * focal, frame.Up * -focal, frame.Forward, new(width / 2f, height / 2f));
     }
 
     /// <summary>Returns whether it sees everything where another does.</summary>
     public bool IsAt(MovingCamera other) =>
-        (Eye, _x, _y, _z, _middle) == (other.Eye, other._x, other._y, other._z, other._middle);
+        (Eye, _right, _down, _forward, _middle) == (other.Eye, other._right, other._down, other._forward, other._middle);
 
     /// <summary>The position.</summary>
     public Vector3 Eye { get; }
 
-    /// <summary>The position of a point in the picture, in pixels; false behind the eye.</summary>
+    /// <summary>The positions of points in the picture, in pixels; false behind the eye.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public bool TryProject(Vector3 point, out Vector2 place)
+    public MaskW Project(in Vec3W points, out FloatW x, out FloatW y)
     {
-        Vector3 away = point - Eye;
-        Vector4 seen = (_x * away.X) + (_y * away.Y) + (_z * away.Z);
-        place = _middle + (seen.AsVector2() / seen.Z);
-        return seen.Z > 1e-6f;
+        Vec3W away = points - Eye;
+        FloatW depth = Vec3W.Dot(away, _forward);
+        FloatW scale = 1f / depth;
+        x = FloatW.MultiplyAdd(Vec3W.Dot(away, _right), scale, _middle.X);
+        y = FloatW.MultiplyAdd(Vec3W.Dot(away, _down), scale, _middle.Y);
+        return depth > Nearest;
     }
 }

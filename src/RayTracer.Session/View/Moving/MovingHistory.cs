@@ -1,5 +1,6 @@
 using System.Numerics;
 using System.Runtime.CompilerServices;
+using RayTracer.Numerics;
 using RayTracer.Rendering;
 
 namespace RayTracer.Session;
@@ -8,7 +9,7 @@ namespace RayTracer.Session;
 /// Carries what earlier pictures have gathered over to the next one of a moving view: each point is looked up where it was seen before, and what shows
 /// another thing, another side or another place there is rejected. Where the light itself has changed, less of it counts.
 /// </summary>
-internal sealed class MovingHistory
+internal sealed unsafe class MovingHistory
 {
     /// <summary>The edge of the squares in which old and new light are compared.</summary>
     public const int Square = 8;
@@ -19,49 +20,27 @@ internal sealed class MovingHistory
     // Standard errors by which the old mean of a square may differ from the new one.
     private const float Trusted = 2;
 
-    // Red, green, blue, and how many pictures have been gathered; the means of the luminance and of its square.
-    private readonly Vector4[] _light;
-    private readonly Vector2[] _moments;
+    // Points are of one surface within a part of the distance, along its normal.
+    private const float Near = 0.02f;
+    private const float LeastCosine = 0.8f;
+    private const float LeastWeight = 0.02f;
+    private readonly PaddedRows _rows;
+    private readonly PinnedBuffer<float> _gathered;
+
+    // The offset of the plane that touches the surface: point · normal.
+    private readonly PinnedBuffer<float> _offsets;
 
     /// <summary>Makes room.</summary>
-    public MovingHistory(MovingPlanes like)
-    {
-        Like = like;
-        int pixels = like.Width * like.Height;
-        (_light, _moments, Things) = (new Vector4[pixels], new Vector2[pixels], new int[pixels]);
-        Seen = new(like.Width, like.Height);
-    }
+    /// <param name="rows">How pixels lie in the planes.</param>
+    public MovingHistory(PaddedRows rows) => (_rows, Guides, _gathered, _offsets) = (rows, new(rows), new(Gathered.Planes * (long)rows.Size), new(rows.Size));
 
-    /// <summary>Planes of the same size.</summary>
-    public MovingPlanes Like { get; }
-
-    /// <summary>What was seen then.</summary>
-    public SeenPlanes Seen { get; }
-
-    /// <summary>The things' numbers.</summary>
-    public int[] Things { get; }
-
-    /// <summary>How many pictures a pixel has gathered.</summary>
-    public float LengthAt(int x, int y) => _light[(y * Like.Width) + x].W;
+    /// <summary>What is seen.</summary>
+    public MovingGuides Guides { get; }
 
     /// <summary>Keeps smoother light for the next picture.</summary>
-    public void Keep(MovingPlanes light)
-    {
-        for (int y = 0; y < Like.Height; y++)
-        {
-            int at = Like.At(0, y);
-            Span<Vector4> to = _light.AsSpan(y * Like.Width, Like.Width);
-            Span<float> red = light.Red[at..];
-            Span<float> green = light.Green[at..];
-            Span<float> blue = light.Blue[at..];
-            for (int x = 0; x < to.Length; x++)
-            {
-                to[x] = new(red[x], green[x], blue[x], to[x].W);
-            }
-        }
-    }
+    public void Keep(MovingPlanes light) => new Span<float>(light.Red, 3 * _rows.Size).CopyTo(new(_gathered.Pointer, 3 * _rows.Size));
 
-    /// <summary>Mixes the new light of some rows with the old.</summary>
+    /// <summary>Mixes the new light of a row of squares with the old.</summary>
     /// <param name="before">What was gathered before.</param>
     /// <param name="light">The new light, which becomes the mean; its variance is found.</param>
     /// <param name="where">Finds where in the earlier picture a pixel was, and the point that was there.</param>
@@ -69,157 +48,217 @@ internal sealed class MovingHistory
     /// <param name="most">The most earlier pictures that count.</param>
     public void Mix(MovingHistory before, MovingPlanes light, in EarlierPlace where, int square, float most)
     {
-        (int top, int bottom) = (square * Square, Math.Min(Like.Height, (square + 1) * Square));
-        Span<float> red = light.Red;
-        Span<float> green = light.Green;
-        Span<float> blue = light.Blue;
-        for (int left = 0; left < Like.Width; left += Square)
+        (int top, int bottom) = (square * Square, Math.Min(_rows.Height, (square + 1) * Square));
+        for (int left = 0; left < _rows.Width; left += Square)
         {
-            int right = Math.Min(Like.Width, left + Square);
+            int right = Math.Min(_rows.Width, left + Square);
             Statistics statistics = default;
             for (int y = top; y < bottom; y++)
             {
-                for (int x = left; x < right; x++)
+                for (int x = left; x < right; x += FloatW.Count)
                 {
-                    (int pixel, int at) = ((y * Like.Width) + x, Like.At(x, y));
-                    Find(before, where, x, y, pixel);
-                    statistics.Add(MovingPlanes.Luminance(new(red[at], green[at], blue[at])), _moments[pixel].X, _light[pixel].W > 0);
+                    MaskW active = MaskW.First(right - x);
+                    Find(before, where, x, y, active, out Gathered old);
+                    old.Store(_gathered, _rows, _rows.At(x, y), active);
+                    statistics.Add(Luminance(light[_rows.At(x, y)]), old, active);
                 }
             }
 
-            float trust = statistics.Trust(Trusted);
+            (float trusted, float variance) = (Math.Min(most, Longest) * statistics.Trust(Trusted), statistics.Variance);
             for (int y = top; y < bottom; y++)
             {
-                Mix(light, y, left, right, Math.Min(most, Longest) * trust, statistics.Variance);
-            }
-        }
-    }
-
-    private void Mix(MovingPlanes light, int y, int left, int right, float most, float variance)
-    {
-        Span<float> red = light.Red;
-        Span<float> green = light.Green;
-        Span<float> blue = light.Blue;
-        Span<float> variances = light.Variance;
-        for (int x = left; x < right; x++)
-        {
-            (int pixel, int at) = ((y * Like.Width) + x, Like.At(x, y));
-            Vector4 old = _light[pixel];
-            float length = Math.Min(old.W, most) + 1;
-            float share = 1 / length;
-            Vector3 color = new(red[at], green[at], blue[at]);
-            float luminance = MovingPlanes.Luminance(color);
-            Vector2 moments = _moments[pixel] + ((new Vector2(luminance, luminance * luminance) - _moments[pixel]) * share);
-            Vector3 mixed = old.AsVector3() + ((color - old.AsVector3()) * share);
-            (_light[pixel], _moments[pixel]) = (new(mixed, length), moments);
-            (red[at], green[at], blue[at]) = (mixed.X, mixed.Y, mixed.Z);
-
-            // A short history knows little of its noise: that of the square is taken.
-            float own = Math.Max(0, moments.Y - (moments.X * moments.X));
-            float known = Math.Clamp((length - 2) / 4, 0, 1);
-            variances[at] = Things[pixel] == 0 ? 0 : ((own * known) + (variance * (1 - known))) * share;
-        }
-    }
-
-    // Takes the history of a pixel from where it was, a mean of the four pixels around.
-    private void Find(MovingHistory before, in EarlierPlace where, int x, int y, int pixel)
-    {
-        (Vector4 light, Vector2 moments, float sum) = (default, default, 0);
-        Vector3 here = Seen.Point[pixel];
-        if (where.Of(x, y, Things[pixel], here, out Vector2 place, out Vector3 point))
-        {
-            (float fx, float fy) = (place.X - 0.5f, place.Y - 0.5f);
-            (int x0, int y0) = ((int)MathF.Floor(fx), (int)MathF.Floor(fy));
-            (fx, fy) = (fx - x0, fy - y0);
-            Place same = new(Things[pixel], Seen.Normal[pixel], point, 0.02f * (here - Seen.Eye).Length());
-            for (int i = 0; i < 4; i++)
-            {
-                (int px, int py) = (x0 + (i & 1), y0 + (i >> 1));
-                float weight = ((i & 1) == 0 ? 1 - fx : fx) * (i < 2 ? 1 - fy : fy);
-                int other = (py * Like.Width) + px;
-                if (weight != 0 && (uint)px < (uint)Like.Width && (uint)py < (uint)Like.Height && same.IsAt(before, other))
+                for (int x = left; x < right; x += FloatW.Count)
                 {
-                    light += before._light[other] * weight;
-                    moments += before._moments[other] * weight;
-                    sum += weight;
+                    Mix(light, _rows.At(x, y), MaskW.First(right - x), trusted, variance);
                 }
             }
         }
-
-        float scale = sum > 0.02f ? 1 / sum : 0;
-        (_light[pixel], _moments[pixel]) = (light * scale, moments * scale);
     }
 
-    // A piece of a surface: another is the same within a part of the distance, along its normal.
-    private readonly ref struct Place(int thing, Vector3 normal, Vector3 point, float near)
+    private void Mix(MovingPlanes light, int at, in MaskW active, float most, float variance)
     {
+        Gathered old = new(_gathered, _rows, new((uint)at));
+        RgbW color = light[at];
+        FloatW luminance = Luminance(color);
+        FloatW length = FloatW.Min(old.Length, most) + 1f;
+        FloatW share = 1f / length;
+        Gathered mixed = new()
+        {
+            Light = (old.Light * (1f - share)) + (color * share),
+            Length = length,
+            Mean = old.Mean + ((luminance - old.Mean) * share),
+            Square = old.Square + (((luminance * luminance) - old.Square) * share),
+        };
+        mixed.Store(_gathered, _rows, at, active);
+        light[at] = active.Select(mixed.Light, color);
+
+        // A short history knows little of its noise: that of the square is taken.
+        FloatW own = FloatW.Max(mixed.Square - (mixed.Mean * mixed.Mean), 0f);
+        FloatW known = FloatW.Min(FloatW.Max((length - 2f) * 0.25f, 0f), 1f);
+        FloatW noise = UIntW.Equal(UIntW.Load(Guides.Things + at), 0u).Select(0f, ((own * known) + (variance * (1f - known))) * share);
+        active.Select(noise, FloatW.Load(light.Variance + at)).Store(light.Variance + at);
+    }
+
+    // Takes the history of pixels from where they were, means of the four pixels around each place.
+    private void Find(MovingHistory before, in EarlierPlace where, int x, int y, in MaskW active, out Gathered old)
+    {
+        old = default;
+        int at = _rows.At(x, y);
+        SeenPlanes seen = Guides.Seen;
+        (UIntW thing, Vec3W here) = (UIntW.Load(Guides.Things + at), seen.Point(at));
+        Vec3W.Dot(here, seen.Normal(at)).Store(_offsets.Pointer + at);
+        MaskW known = active & where.Of(x, y, thing, here, out FloatW across, out FloatW down, out Vec3W point);
+        (FloatW left, FloatW top) = (FloatW.Floor(across), FloatW.Floor(down));
+
+        // Beside the picture there is room for a pixel, which shows nothing.
+        known &= (left >= -1f) & (left < _rows.Width) & (top >= -1f) & (top < _rows.Height);
+        if (!known.Any)
+        {
+            return;
+        }
+
+        Vec3W away = here - seen.Eye;
+        Place place = new(thing, seen.Normal(at), point, FloatW.Sqrt(Vec3W.Dot(away, away)) * Near);
+        Taps corner = new(known.Select((top.ToInt() * (uint)_rows.Stride) + left.ToInt() + (uint)_rows.At(0, 0), (uint)_rows.At(0, 0)));
+        (across, down) = (across - left, down - top);
+        FloatW sum = 0f;
+        for (int i = 0; i < 4; i++)
+        {
+            FloatW weight = ((i & 1) == 0 ? 1f - across : across) * (i < 2 ? 1f - down : down);
+            Taps taps = corner.Next((uint)(((i >> 1) * _rows.Stride) + (i & 1)));
+            MaskW counts = known & (weight > 0f);
+            counts = counts.Any ? counts & before.Has(place, taps) : counts;
+            if (counts.Any)
+            {
+                weight = counts.Select(weight, 0f);
+                old.Add(new(before._gathered, _rows, taps), weight);
+                sum += weight;
+            }
+        }
+
+        old.Scale((sum > LeastWeight).Select(1f / sum, 0f));
+    }
+
+    private MaskW Has(in Place place, in Taps at)
+    {
+        SeenPlanes seen = Guides.Seen;
+        MaskW same = UIntW.Equal(at.Of(Guides.Things), place.Thing);
+        Vec3W normal = new(at.Of(seen.Normals(0)), at.Of(seen.Normals(1)), at.Of(seen.Normals(2)));
+        FloatW off = FloatW.Abs(Vec3W.Dot(place.Point, normal) - at.Of(_offsets.Pointer));
+        return same & (UIntW.Equal(place.Thing, 0u) | ((Vec3W.Dot(place.Normal, normal) > LeastCosine) & (off < place.Near)));
+    }
+
+    private static FloatW Luminance(in RgbW c) => (c.R * 0.2126f) + (c.G * 0.7152f) + (c.B * 0.0722f);
+
+    // Pieces of surfaces.
+    private readonly record struct Place(UIntW Thing, Vec3W Normal, Vec3W Point, FloatW Near);
+
+    // Places of pixels in the planes. Most often neighbours were neighbours before.
+    private readonly struct Taps
+    {
+        private readonly UIntW _at;
+        private readonly uint _first;
+        private readonly bool _isRow;
+
+        public Taps(uint first) => (_first, _isRow) = (first, true);
+
+        public Taps(UIntW at)
+        {
+            (_at, _first) = (at, at[0]);
+            _isRow = UIntW.Equal(at, UIntW.Iota + _first).Bits == MaskW.All.Bits;
+        }
+
+        private Taps(UIntW at, uint first, bool isRow) => (_at, _first, _isRow) = (at, first, isRow);
+
+        public Taps Next(uint step) => new(_at + step, _first + step, _isRow);
+
         [MethodImpl(MethodImplOptions.AggressiveInlining)]
-        public bool IsAt(MovingHistory before, int pixel) => thing == before.Things[pixel]
-            && (thing == 0 || (Vector3.Dot(normal, before.Seen.Normal[pixel]) > 0.8f && MathF.Abs(Vector3.Dot(before.Seen.Point[pixel] - point, normal)) < near));
+        public FloatW Of(float* plane) => _isRow ? FloatW.Load(plane + _first) : FloatW.Gather(plane, _at);
+
+        [MethodImpl(MethodImplOptions.AggressiveInlining)]
+        public UIntW Of(uint* plane) => Of((float*)plane).AsUInt();
+    }
+
+    // What pixels have gathered: light, the number of pictures, and the means of the luminance and of its square.
+    private struct Gathered
+    {
+        public const int Planes = 6;
+        public RgbW Light;
+        public FloatW Length, Mean, Square;
+
+        [MethodImpl(MethodImplOptions.AggressiveInlining)]
+        public Gathered(PinnedBuffer<float> planes, PaddedRows rows, in Taps at)
+        {
+            float* p = planes.Pointer;
+            nint size = rows.Size;
+            Light = new(at.Of(p), at.Of(p + size), at.Of(p + (2 * size)));
+            (Length, Mean, Square) = (at.Of(p + (3 * size)), at.Of(p + (4 * size)), at.Of(p + (5 * size)));
+        }
+
+        [MethodImpl(MethodImplOptions.AggressiveInlining)]
+        public void Add(in Gathered other, in FloatW weight)
+        {
+            Light += other.Light * weight;
+            (Length, Mean, Square) = (Length + (other.Length * weight), Mean + (other.Mean * weight), Square + (other.Square * weight));
+        }
+
+        public void Scale(in FloatW scale)
+        {
+            Light *= scale;
+            (Length, Mean, Square) = (Length * scale, Mean * scale, Square * scale);
+        }
+
+        // Beside the lanes in use may lie another square's pixels.
+        public readonly void Store(PinnedBuffer<float> planes, PaddedRows rows, int at, in MaskW active)
+        {
+            float* p = planes.Pointer + at;
+            nint size = rows.Size;
+            Store(p, Light.R, active);
+            Store(p + size, Light.G, active);
+            Store(p + (2 * size), Light.B, active);
+            Store(p + (3 * size), Length, active);
+            Store(p + (4 * size), Mean, active);
+            Store(p + (5 * size), Square, active);
+        }
+
+        [MethodImpl(MethodImplOptions.AggressiveInlining)]
+        private static void Store(float* to, in FloatW value, in MaskW active) => active.Select(value, FloatW.Load(to)).Store(to);
     }
 
     private ref struct Statistics
     {
-        private float _new, _square, _old, _both, _count;
+        private FloatW _new, _square, _difference, _both, _count;
 
-        public readonly float Variance => _count > 0 ? Math.Max(0, (_square / _count) - (_new / _count * _new / _count)) : 0;
-
-        public void Add(float luminance, float old, bool hasOld)
+        public readonly float Variance
         {
-            (_new, _square, _count) = (_new + luminance, _square + (luminance * luminance), _count + 1);
-            if (hasOld)
+            get
             {
-                (_old, _both) = (_old + luminance - old, _both + 1);
+                (float mean, float square) = (Sum(_new) / Sum(_count), Sum(_square) / Sum(_count));
+                return Math.Max(0, square - (mean * mean));
             }
+        }
+
+        public void Add(in FloatW luminance, in Gathered old, in MaskW active)
+        {
+            MaskW both = active & (old.Length > 0f);
+            (_new, _square) = (_new + active.Select(luminance, 0f), _square + active.Select(luminance * luminance, 0f));
+            _difference += both.Select(luminance - old.Mean, 0f);
+            (_count, _both) = (_count + active.Select(1f, 0f), _both + both.Select(1f, 0f));
         }
 
         // 1 where old and new light agree up to the noise, 0 where they certainly do not.
         public readonly float Trust(float limit)
         {
-            if (_both < 16)
+            float both = Sum(_both);
+            if (both < 16)
             {
                 return 1;
             }
 
-            float error = MathF.Sqrt(Variance / _both) + (0.02f * _new / _count) + 1e-5f;
-            return Math.Clamp(1 - ((MathF.Abs(_old / _both) / error) - limit) / limit, 0, 1);
-        }
-    }
-}
-
-/// <summary>Finds where things were in the picture before.</summary>
-/// <param name="before">The camera then; null where nothing is known of it.</param>
-/// <param name="camera">The camera now.</param>
-/// <param name="things">How the things have moved.</param>
-internal readonly struct EarlierPlace(MovingCamera? before, MovingCamera? camera, MovingThings things)
-{
-    private readonly bool _isStill = !things.HaveMoved && before is not null && camera?.IsAt(before) == true;
-
-    /// <summary>Finds where what a pixel shows was.</summary>
-    /// <param name="x">The pixel's column.</param>
-    /// <param name="y">Its row.</param>
-    /// <param name="thing">The thing that is there.</param>
-    /// <param name="now">The point that is seen.</param>
-    /// <param name="place">The place in the earlier picture, in pixels.</param>
-    /// <param name="point">The point that the thing had there then.</param>
-    /// <returns>False if it was not in the picture.</returns>
-    [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public bool Of(int x, int y, int thing, Vector3 now, out Vector2 place, out Vector3 point)
-    {
-        point = things.Before(thing, now);
-        place = new(x + 0.5f, y + 0.5f);
-        if (_isStill)
-        {
-            return true;
+            float error = MathF.Sqrt(Variance / both) + (0.02f * Sum(_new) / Sum(_count)) + 1e-5f;
+            return Math.Clamp(1 - ((MathF.Abs(Sum(_difference) / both) / error) - limit) / limit, 0, 1);
         }
 
-        if (before is null || camera is null || !before.TryProject(point, out Vector2 there) || !camera.TryProject(now, out Vector2 here))
-        {
-            return false;
-        }
-
-        // The sample's place within its pixel is none of the movement's.
-        place += there - here;
-        return true;
+        private static float Sum(in FloatW lanes) => Vector.Sum(lanes.V);
     }
 }

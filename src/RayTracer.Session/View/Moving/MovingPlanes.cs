@@ -1,83 +1,67 @@
-using System.Numerics;
+using System.Runtime.CompilerServices;
+using RayTracer.Numerics;
+using RayTracer.Rendering;
 
 namespace RayTracer.Session;
 
-/// <summary>
-/// The numbers of a picture that is filtered, a plane for each, so that a register holds neighbours. To the left and right of each row there is room for the
-/// reach of the filter; what lies there belongs to no thing.
-/// </summary>
-internal sealed class MovingPlanes
+/// <summary>Light that is filtered, a plane for each number, so that a register holds neighbours.</summary>
+/// <param name="rows">How pixels lie in the planes.</param>
+internal sealed unsafe class MovingPlanes(PaddedRows rows)
 {
-    /// <summary>Columns beside each row.</summary>
-    public const int Margin = 16;
+    private readonly PinnedBuffer<float> _light = new(4L * rows.Size);
 
-    private readonly float[] _light;
-
-    /// <summary>Makes room.</summary>
-    public MovingPlanes(int width, int height)
-    {
-        (Width, Height, Stride) = (width, height, width + (2 * Margin));
-        Size = (Stride * height) + Vector<float>.Count;
-        _light = new float[4 * Size];
-    }
-
-    /// <summary>Width in pixels.</summary>
-    public int Width { get; }
-
-    /// <summary>Height in pixels.</summary>
-    public int Height { get; }
-
-    /// <summary>From a row to the next.</summary>
-    public int Stride { get; }
-
-    /// <summary>The numbers of a plane.</summary>
-    public int Size { get; }
-
-    /// <summary>All planes: red, green, blue, and the variance of the luminance.</summary>
-    public float[] All => _light;
+    /// <summary>How pixels lie in the planes.</summary>
+    public PaddedRows Rows => rows;
 
     /// <summary>Red.</summary>
-    public Span<float> Red => _light.AsSpan(0, Size);
+    public float* Red => _light.Pointer;
 
     /// <summary>Green.</summary>
-    public Span<float> Green => _light.AsSpan(Size, Size);
+    public float* Green => _light.Pointer + rows.Size;
 
     /// <summary>Blue.</summary>
-    public Span<float> Blue => _light.AsSpan(2 * Size, Size);
+    public float* Blue => _light.Pointer + (2 * rows.Size);
 
     /// <summary>The variance of the luminance.</summary>
-    public Span<float> Variance => _light.AsSpan(3 * Size, Size);
+    public float* Variance => _light.Pointer + (3 * rows.Size);
 
-    /// <summary>The place of a pixel.</summary>
-    public int At(int x, int y) => (y * Stride) + Margin + x;
+    /// <summary>The light of pixels.</summary>
+    /// <param name="at">The place of the first.</param>
+    public RgbW this[int at]
+    {
+        [MethodImpl(MethodImplOptions.AggressiveInlining)]
+        get => new(FloatW.Load(Red + at), FloatW.Load(Green + at), FloatW.Load(Blue + at));
 
-    /// <summary>The luminance of a colour.</summary>
-    public static float Luminance(Vector3 color) => Vector3.Dot(color, new(0.2126f, 0.7152f, 0.0722f));
+        [MethodImpl(MethodImplOptions.AggressiveInlining)]
+        set
+        {
+            value.R.Store(Red + at);
+            value.G.Store(Green + at);
+            value.B.Store(Blue + at);
+        }
+    }
 }
 
-/// <summary>What a filter goes by, beside the light: the things, normals and distances of the pixels, laid out as <see cref="MovingPlanes"/>.</summary>
-internal sealed class MovingGuides
+/// <summary>What a filter goes by, beside the light, laid out as <see cref="MovingPlanes"/>.</summary>
+internal sealed unsafe class MovingGuides
 {
+    private readonly PinnedBuffer<uint> _things;
+    private readonly PinnedBuffer<float> _depth;
+
     /// <summary>Makes room.</summary>
-    /// <param name="like">Planes of the same size.</param>
-    public MovingGuides(MovingPlanes like)
+    /// <param name="rows">How pixels lie in the planes.</param>
+    public MovingGuides(PaddedRows rows)
     {
-        (Thing, NormalX, NormalY, NormalZ, Depth) = (new int[like.Size], new float[like.Size], new float[like.Size], new float[like.Size], new float[like.Size]);
-        Array.Fill(Thing, -1);
+        (Seen, _things, _depth) = (new(rows), new(rows.Size), new(rows.Size));
+        new Span<uint>(_things.Pointer, rows.Size).Fill(uint.MaxValue);
     }
 
-    /// <summary>The thing's number; −1 beside the rows.</summary>
-    public int[] Thing { get; }
+    /// <summary>What is seen.</summary>
+    public SeenPlanes Seen { get; }
 
-    /// <summary>The unit normal's x; zero where nothing is seen.</summary>
-    public float[] NormalX { get; }
-
-    /// <summary>The unit normal's y.</summary>
-    public float[] NormalY { get; }
-
-    /// <summary>The unit normal's z.</summary>
-    public float[] NormalZ { get; }
+    /// <summary>The things' numbers; <see cref="uint.MaxValue"/> around the picture.</summary>
+    public uint* Things => _things.Pointer;
 
     /// <summary>The logarithm of the distance, which a plane seen from anywhere changes slowly.</summary>
-    public float[] Depth { get; }
+    public float* Depth => _depth.Pointer;
 }

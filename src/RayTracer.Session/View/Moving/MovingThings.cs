@@ -14,7 +14,7 @@ internal sealed class MovingThings
     private GoodScene? _of;
     private DocumentPlace? _place;
     private Dictionary<int, Bounds> _places = [];
-    private Dictionary<int, (Vector3 Middle, Vector3 Before, Vector3 Scale)> _moved = [];
+    private Dictionary<int, (Vector3 Scale, Vector3 Offset)> _moved = [];
 
     /// <summary>Turns to a scene.</summary>
     public SceneChange Turn(ViewportScene shown)
@@ -65,13 +65,8 @@ internal sealed class MovingThings
         }
     }
 
-    /// <summary>Returns whether any thing is not where it was.</summary>
-    public bool HaveMoved => _moved.Count > 0;
-
-    /// <summary>Where a point of a thing was in the scene before.</summary>
-    public Vector3 Before(int thing, Vector3 point) => _moved.Count > 0 && _moved.TryGetValue(thing, out (Vector3 Middle, Vector3 Before, Vector3 Scale) moved)
-        ? moved.Before + ((point - moved.Middle) * moved.Scale)
-        : point;
+    /// <summary>How the things that have numbers so far have moved since the scene before.</summary>
+    public ThingMoves Moves() => new(_moved, _numbers.Count + 1);
 
     private int Number(string name)
     {
@@ -107,7 +102,7 @@ internal sealed class MovingThings
             {
                 Vector3 size = now.Maximum - now.Minimum;
                 Vector3 scale = new(Ratio(then.Maximum.X - then.Minimum.X, size.X), Ratio(then.Maximum.Y - then.Minimum.Y, size.Y), Ratio(then.Maximum.Z - then.Minimum.Z, size.Z));
-                _moved.Add(thing, ((now.Maximum + now.Minimum) * 0.5f, (then.Maximum + then.Minimum) * 0.5f, scale));
+                _moved.Add(thing, (scale, ((then.Maximum + then.Minimum) * 0.5f) - ((now.Maximum + now.Minimum) * 0.5f * scale)));
             }
         }
     }

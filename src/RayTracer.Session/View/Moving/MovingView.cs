@@ -1,5 +1,6 @@
 using System.Numerics;
 using RayTracer.Description;
+using RayTracer.Numerics;
 using RayTracer.Rendering;
 
 namespace RayTracer.Session;
@@ -8,7 +9,7 @@ namespace RayTracer.Session;
 /// The pictures while something moves: few samples, with what the pictures before have gathered, and filtered. The film knows nothing of it. All on the
 /// render loop's thread; its memory is used again.
 /// </summary>
-internal sealed class MovingView
+internal sealed unsafe class MovingView
 {
     /// <summary>The fewest samples of a picture, where the picture has as many pixels.</summary>
     public const int LeastSamples = 400 * 300;
@@ -23,7 +24,6 @@ internal sealed class MovingView
     private readonly MovingThings _things = new();
     private MovingHistory[] _histories = [];
     private MovingPlanes[] _planes = [];
-    private MovingGuides? _guides;
     private Film? _film;
     private MovingCamera? _camera;
     private MovingCamera? _before;
@@ -87,9 +87,9 @@ internal sealed class MovingView
         }
 
         _film = new(width, height, planes);
-        _planes = [new(width, height), new(width, height)];
-        _guides = new(_planes[0]);
-        _histories = [new(_planes[0]), new(_planes[0])];
+        PaddedRows rows = new(width, height);
+        _planes = [new(rows), new(rows)];
+        _histories = [new(rows), new(rows)];
         Forget();
     }
 
@@ -108,8 +108,9 @@ internal sealed class MovingView
 
         _now = _histories[_pictures % 2];
         (_before, _camera) = (_camera, CameraOf(wanted, width, height));
-        _now.Seen.Eye = _camera?.Eye ?? wanted.Camera.Position;
-        new FirstHitPass(scene, options).Take(_now.Seen, sample);
+        SeenPlanes seen = _now.Guides.Seen;
+        seen.Eye = _camera?.Eye ?? wanted.Camera.Position;
+        new FirstHitPass(scene, options).Take(seen, sample);
         return true;
     }
 
@@ -121,14 +122,13 @@ internal sealed class MovingView
     {
         int threads = wanted.Settings.Threads;
         (MovingPlanes light, MovingPlanes other) = (_planes[0], _planes[1]);
-        MovingRows.ForEach(light.Height, threads, y => Divide(wanted, light, y));
+        MovingRows.ForEach(light.Rows.Height, threads, y => Divide(wanted, light, y));
         MovingHistory before = _histories[(_pictures + 1) % 2];
-        EarlierPlace where = new(_before, _camera, _things);
-        Parallel.For(0, (light.Height + MovingHistory.Square - 1) / MovingHistory.Square, new ParallelOptions { MaxDegreeOfParallelism = threads }, square =>
-            _now.Mix(before, light, where, square, most));
+        EarlierPlace where = new(_before, _camera, _things.Moves());
+        MovingRows.ForEach((light.Rows.Height + MovingHistory.Square - 1) / MovingHistory.Square, threads, square => _now.Mix(before, light, where, square, most));
         foreach (int step in s_steps)
         {
-            EdgeFilter.Smooth(light, _guides!, step, other, threads);
+            EdgeFilter.Smooth(light, _now.Guides, step, other, threads);
             (light, other) = (other, light);
             if (step == s_steps[0])
             {
@@ -142,46 +142,42 @@ internal sealed class MovingView
     // Light without the colours of the things, and what the filter goes by.
     private void Divide(ViewportScene wanted, MovingPlanes light, int y)
     {
-        SeenPlanes seen = _now.Seen;
-        MovingGuides guides = _guides!;
-        Span<float> red = light.Red;
-        Span<float> green = light.Green;
-        Span<float> blue = light.Blue;
-        (int pixel, int at) = (y * light.Width, light.At(0, y));
-        for (int x = 0; x < light.Width; x++, pixel++, at++)
+        MovingGuides guides = _now.Guides;
+        (SeenPlanes seen, int start) = (guides.Seen, light.Rows.At(0, y));
+        for ((int x, int at) = (0, start); x < light.Rows.Width; x++, at++)
         {
-            RayTracer.Numerics.Rgb mean = _film!.Mean(x, y);
-            Vector3 color = new Vector3(mean.R, mean.G, mean.B) / Vector3.Max(seen.Albedo[pixel], new(DarkestAlbedo));
-            (red[at], green[at], blue[at]) = (color.X, color.Y, color.Z);
-            int thing = _things.Of(wanted, seen.Surface[pixel]);
-            (_now.Things[pixel], guides.Thing[at]) = (thing, thing);
-            Vector3 normal = seen.Normal[pixel];
-            (guides.NormalX[at], guides.NormalY[at], guides.NormalZ[at]) = (normal.X, normal.Y, normal.Z);
-            guides.Depth[at] = (seen.Point[pixel] - seen.Eye).LengthSquared();
+            Rgb mean = _film!.Mean(x, y);
+            (light.Red[at], light.Green[at], light.Blue[at]) = (mean.R, mean.G, mean.B);
+            guides.Things[at] = (uint)_things.Of(wanted, seen.Surface[at]);
         }
 
-        for (int x = light.At(0, y); x < at; x += Vector<float>.Count)
+        for (int at = start; at < start + light.Rows.Width; at += FloatW.Count)
         {
-            ref float depth = ref guides.Depth[x];
-            (Vector.Log2(Vector.LoadUnsafe(ref depth) + new Vector<float>(1e-12f)) * 0.5f).StoreUnsafe(ref depth);
+            (RgbW color, Vec3W albedo, Vec3W away) = (light[at], seen.Albedo(at), seen.Point(at) - seen.Eye);
+            light[at] = new(color.R / FloatW.Max(albedo.X, DarkestAlbedo), color.G / FloatW.Max(albedo.Y, DarkestAlbedo), color.B / FloatW.Max(albedo.Z, DarkestAlbedo));
+            new FloatW(Vector.Log2((Vec3W.Dot(away, away) + 1e-12f).V) * 0.5f).Store(guides.Depth + at);
         }
     }
 
     private void Write(MovingPlanes light, LinearPicture to)
     {
-        to.Resize(light.Width, light.Height);
-        ReadOnlySpan<Vector3> albedo = _now.Seen.Albedo;
-        for (int y = 0; y < light.Height; y++)
+        PaddedRows rows = light.Rows;
+        to.Resize(rows.Width, rows.Height);
+        float* own = stackalloc float[3 * FloatW.Count];
+        for (int y = 0; y < rows.Height; y++)
         {
-            int at = light.At(0, y);
             Span<float> row = to.Row(y);
-            Span<float> red = light.Red[at..];
-            Span<float> green = light.Green[at..];
-            Span<float> blue = light.Blue[at..];
-            for (int x = 0; x < light.Width; x++)
+            for (int x = 0; x < rows.Width; x += FloatW.Count)
             {
-                Vector3 color = new Vector3(red[x], green[x], blue[x]) * Vector3.Max(albedo[(y * light.Width) + x], new(DarkestAlbedo));
-                color.CopyTo(row[(3 * x)..]);
+                int at = rows.At(x, y);
+                (RgbW color, Vec3W albedo) = (light[at], _now.Guides.Seen.Albedo(at));
+                (color.R * FloatW.Max(albedo.X, DarkestAlbedo)).Store(own);
+                (color.G * FloatW.Max(albedo.Y, DarkestAlbedo)).Store(own + FloatW.Count);
+                (color.B * FloatW.Max(albedo.Z, DarkestAlbedo)).Store(own + (2 * FloatW.Count));
+                for (int lane = 0; lane < Math.Min(FloatW.Count, rows.Width - x); lane++)
+                {
+                    (row[3 * (x + lane)], row[(3 * (x + lane)) + 1], row[(3 * (x + lane)) + 2]) = (own[lane], own[FloatW.Count + lane], own[(2 * FloatW.Count) + lane]);
+                }
             }
         }
     }

@@ -24,6 +24,8 @@ internal sealed unsafe class SeenThrough : InteriorShader
     private AovFilm? _film;
     private SeenPlanes? _planes;
     private (Vector3 Origin, Vector3 Direction, float Length)[] _firsts = [];
+
+    // From a row of pixels to the next.
     private int _width;
     private Tile _tile;
 
@@ -51,7 +53,7 @@ internal sealed unsafe class SeenThrough : InteriorShader
     /// <param name="sample">The number of the sample.</param>
     public void Take(SeenPlanes planes, in Tile tile, int sample)
     {
-        (_planes, _tile, _width) = (planes, tile, planes.Width);
+        (_planes, _tile, _width) = (planes, tile, planes.Rows.Stride);
         Array.Resize(ref _firsts, Math.Max(_firsts.Length, tile.Pixels));
         SampleRange samples = new(sample, sample + 1);
         _generator.Begin(tile, samples);
@@ -68,7 +70,7 @@ internal sealed unsafe class SeenThrough : InteriorShader
             if (_planes is { } planes)
             {
                 Extend(stream, ray);
-                planes.Take(pixel, nothing, 0, _firsts[stream.Path[ray]]);
+                planes.Take(pixel + planes.Rows.At(0, 0), nothing, 0, _firsts[stream.Path[ray]]);
                 continue;
             }
 
@@ -124,7 +126,7 @@ internal sealed unsafe class SeenThrough : InteriorShader
             };
             if (_planes is { } planes)
             {
-                planes.Take(pixel, hit, Scene.World.Instances is null ? 0 : (int)stream.Instance[ray], _firsts[stream.Path[ray]]);
+                planes.Take(pixel + planes.Rows.At(0, 0), hit, Scene.World.Instances is null ? 0 : (int)stream.Instance[ray], _firsts[stream.Path[ray]]);
                 continue;
             }
 

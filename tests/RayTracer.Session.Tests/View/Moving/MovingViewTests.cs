@@ -146,7 +146,7 @@ public sealed class MovingViewTests
         return picture;
     }
 
-    private static float Luminance(LinearPicture picture, int x, int y) => MovingPlanes.Luminance(new(picture.Row(y)[3 * x], picture.Row(y)[(3 * x) + 1], picture.Row(y)[(3 * x) + 2]));
+    private static float Luminance(LinearPicture picture, int x, int y) => new Numerics.Rgb(picture.Row(y)[3 * x], picture.Row(y)[(3 * x) + 1], picture.Row(y)[(3 * x) + 2]).Luminance;
 
     private static float Mean(LinearPicture picture) => Enumerable.Range(0, Size * Size).Average(i => Luminance(picture, i % Size, i / Size));
 
