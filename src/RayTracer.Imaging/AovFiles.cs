@@ -33,6 +33,12 @@ public static class AovFiles
         List<ExrLayerChannel> layers = [];
         foreach (AuxiliaryImage image in film.Images)
         {
+            if (image is CryptomatteImage matte)
+            {
+                layers.AddRange(CryptomatteLayers.Of(film, matte));
+                continue;
+            }
+
             int channels = image.Letters.Length;
             double[] row = new double[film.Width * channels];
             for (int i = 0; i < channels; i++)

@@ -36,6 +36,9 @@ public sealed record ImageWriteOptions
     /// </summary>
     public IReadOnlyList<KeyValuePair<string, string>> Metadata { get; init; } = [];
 
+    /// <summary>OpenEXR: further texts, which say what its layers mean.</summary>
+    public IReadOnlyList<KeyValuePair<string, string>> ExrTexts { get; init; } = [];
+
     /// <summary>OpenEXR: whether the film itself goes along, as <see cref="FilmExr"/> writes it.</summary>
     public bool ExrFilm { get; init; }
 

@@ -112,6 +112,7 @@ public sealed class PictureFiles
         return writing with
         {
             Metadata = [.. PictureTexts.Of(_job, result), .. PictureTexts.OfTone(PictureTone.Text(writing))],
+            ExrTexts = result.Auxiliary is { } named ? CryptomatteLayers.Texts(named) : [],
             ExrLayers =
             [
                 .. result.Auxiliary is { } images ? AovFiles.Layers(images) : [],
@@ -133,7 +134,7 @@ public sealed class PictureFiles
         List<string> written = [.. JobFiles.Write(_job.Outputs, result.Film, result.Header, writing, watch)];
         void Write(IEnumerable<string> paths, IImageRows image, ImageWriteOptions options, params KeyValuePair<string, string>[] texts) =>
             written.AddRange(
-                JobFiles.Write(paths, image, options with { ExrLayers = [], Metadata = [.. options.Metadata, .. texts] }, watch));
+                JobFiles.Write(paths, image, options with { ExrLayers = [], ExrTexts = [], Metadata = [.. options.Metadata, .. texts] }, watch));
         foreach ((string path, AuxiliaryImage kind) in result.Auxiliary is null ? [] : _images)
         {
             (IImageRows image, string range) = AovFiles.Rows(path, result.Auxiliary!, kind);

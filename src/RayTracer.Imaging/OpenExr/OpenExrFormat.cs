@@ -25,7 +25,7 @@ internal sealed class OpenExrFormat : ImageFormat
 
     public override void Write(Stream output, IImageRows image, ImageWriteOptions options) =>
         ExrWriter.Write(
-            output, image, options.ExrPixelType, options.ExrCompression, options.Metadata,
+            output, image, options.ExrPixelType, options.ExrCompression, options.Metadata.Concat(options.ExrTexts),
             options.Alpha is { } alpha ? [.. options.ExrLayers, Alpha(image.Width, options.ExrPixelType, alpha)] : options.ExrLayers);
 
     private static ExrLayerChannel Alpha(int width, ExrPixelType type, Action<int, Span<float>> read)

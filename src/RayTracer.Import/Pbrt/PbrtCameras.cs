@@ -25,22 +25,23 @@ internal sealed class PbrtCameras(ImportReading reading)
             return new() { Position = Vector3.Zero, LookAt = Vector3.UnitZ, FieldOfView = 90, FieldOfViewAxis = FieldOfViewAxis.Smaller, Window = film.Window };
         }
 
-        camera.Ignore("shutteropen", "shutterclose");
         if (!s_types.Contains(camera.Type))
         {
             camera.UnknownType(s_types);
         }
 
         bool isSpherical = camera.Type == "spherical";
-        CameraDescription made = Placed(camera.State.Place.Inverse() * (isSpherical ? s_around : s_forward));
+        Transform view = isSpherical ? s_around : s_forward;
+        PbrtPlaces places = camera.State.Places.Select(p => p.Inverse());
+        CameraDescription made = places.Moves ? Matrix(view) with { Motion = PbrtMotion.Of(camera, places) } : Placed(places.Start * view);
         made = isSpherical ? Spherical(camera, made) : Flat(camera, made);
         made = Screen(camera, made with { Window = film.Window }, film.Render);
         camera.Finish();
         return reading.At(camera.Place, made);
     }
 
-    /// <summary>How long the shutter is open, which is a factor on all light.</summary>
-    public static float Exposure(PbrtThing? camera) => camera is null ? 1 : camera.Float("shutterclose", 1) - camera.Float("shutteropen", 0);
+    /// <summary>When the shutter opens and closes; how long that is, is a factor on all light.</summary>
+    public static Vector2 Shutter(PbrtThing? camera) => camera is null ? Vector2.UnitY : new(camera.Float("shutteropen", 0), camera.Float("shutterclose", 1));
 
     // By numbers where it is only turned and moved; else by a matrix, which may mirror.
     private static CameraDescription Placed(in Transform place)
@@ -51,8 +52,10 @@ internal sealed class PbrtCameras(ImportReading reading)
             return new() { Position = eye, LookAt = eye - place.Vector(Vector3.UnitZ).Unit(), Up = place.Vector(Vector3.UnitY).Unit() };
         }
 
-        return new() { Position = Vector3.Zero, LookAt = -Vector3.UnitZ, Up = Vector3.UnitY, Transform = MatrixSteps.Of(place) };
+        return Matrix(place);
     }
+
+    private static CameraDescription Matrix(in Transform place) => new() { Position = Vector3.Zero, LookAt = -Vector3.UnitZ, Up = Vector3.UnitY, Transform = MatrixSteps.Of(place) };
 
     private CameraDescription Spherical(PbrtThing camera, CameraDescription placed)
     {

@@ -6,8 +6,8 @@ using RayTracer.Textures;
 namespace RayTracer.Import;
 
 /// <summary>
-/// Makes matt surfaces under a clear coat. pbrt follows light through the coat at random (Guo, Hašan and Zhao 2018), where a little is lost on each way
-/// through its thickness; here a formula sums what goes back and forth, and a darker base stands for that loss.
+/// Makes surfaces under a clear coat. pbrt follows light through the coat at random (Guo, Hašan and Zhao 2018), where a little is lost on each way
+/// through its thickness; here formulas sum what goes back and forth, and a darker matt base stands for that loss.
 /// </summary>
 internal static class PbrtCoats
 {
@@ -25,15 +25,45 @@ internal static class PbrtCoats
         float index = material.Float("eta", 1.5f, 1.0001f, 100);
         float thickness = material.Float("thickness", 0.01f, 0, 10);
         TextureDescription color = Darkened(textures.Color(material, "reflectance", new Rgb(0.5f, 0.5f, 0.5f)), index, thickness);
-        if (alpha.U is not SolidTextureDescription { Color.R: var rough } || alpha.U != alpha.V)
-        {
-            material.Log.Unsupported(material.Place, "the roughness of a coat must be one number here", "0.1 is used instead");
-            rough = 0.1f;
-        }
-
+        float rough = One(material, alpha);
         return rough < 1e-3f
             ? new PlasticMaterialDescription { Color = color, RefractiveIndex = index, Nonlinear = true }
             : new RoughPlasticMaterialDescription { Color = color, RefractiveIndex = index, Nonlinear = true, Alpha = rough };
+    }
+
+    /// <summary>Metal under a coat.</summary>
+    /// <param name="material">The material.</param>
+    /// <param name="metal">The metal.</param>
+    /// <param name="coatAlpha">The roughness of the coat along u and v.</param>
+    /// <param name="alpha">That of the metal.</param>
+    public static MaterialDescription Conductor(
+        PbrtThing material, MetalDescription metal, (TextureDescription U, TextureDescription V) coatAlpha, (TextureDescription U, TextureDescription V) alpha)
+    {
+        material.Ignore("maxdepth", "nsamples");
+        RefuseScattering(material);
+        float thickness = material.Float("thickness", 0.01f, 0, 100);
+        return new CoatedConductorMaterialDescription
+        {
+            Metal = metal.Metal,
+            Eta = metal.Eta,
+            K = metal.K,
+            SpecularReflectance = metal.SpecularReflectance,
+            Alpha = One(material, alpha),
+            CoatAlpha = One(material, coatAlpha),
+            CoatIndex = material.Float("interface.eta", 1.5f, 1, 100),
+            CoatAbsorption = new(thickness, thickness, thickness),
+        };
+    }
+
+    private static float One(PbrtThing material, (TextureDescription U, TextureDescription V) alpha)
+    {
+        if (alpha.U is SolidTextureDescription { Color.R: var rough } && alpha.U == alpha.V)
+        {
+            return rough;
+        }
+
+        material.Log.Unsupported(material.Place, "the roughness of a coat, and of metal below one, must be one number here", "0.1 is used instead");
+        return 0.1f;
     }
 
     private static void RefuseScattering(PbrtThing material)

@@ -50,6 +50,22 @@ internal static class PbrtColors
     public static string? NameOf(PbrtThing thing, string name) =>
         thing.Has(name) && thing.Parameter(name) is { Type: "spectrum", Words: [var word] } ? word : null;
 
+    /// <summary>The channels of many colours, none below 0; empty where they are not given.</summary>
+    public static IReadOnlyList<float> Many(PbrtThing thing, string name)
+    {
+        if (thing.Parameter(name) is not { } parameter || !thing.Is(parameter, "rgb"))
+        {
+            return [];
+        }
+
+        if (parameter.Numbers.Count % 3 != 0)
+        {
+            return thing.Log.Fail<IReadOnlyList<float>>(parameter.Place, $"expected red, green and blue for each colour of {Quotation.Of(name)}, but found {parameter.Numbers.Count} numbers") ?? [];
+        }
+
+        return [.. parameter.Numbers.Chunk(3).Select(c => Linear(thing, c[0], c[1], c[2])).SelectMany(c => new[] { c.R, c.G, c.B }).Select(c => float.Max(c, 0))];
+    }
+
     // Colours of wider spaces may lie beyond those of sRGB.
     private static Rgb Limited(PbrtThing thing, PbrtParameter parameter, Rgb color, float maximum)
     {
@@ -70,8 +86,11 @@ internal static class PbrtColors
             return thing.Log.Fail<Rgb?>(parameter.Place, $"expected red, green and blue for {Quotation.Of(parameter.Name)}, but found {parameter.Numbers.Count} numbers");
         }
 
-        return s_toSrgb.TryGetValue(thing.State.ColorSpace, out Rgb[]? rows) ? new(Dot(rows[0], r, g, b), Dot(rows[1], r, g, b), Dot(rows[2], r, g, b)) : new(r, g, b);
+        return Linear(thing, r, g, b);
     }
+
+    private static Rgb Linear(PbrtThing thing, float r, float g, float b) =>
+        s_toSrgb.TryGetValue(thing.State.ColorSpace, out Rgb[]? rows) ? new(Dot(rows[0], r, g, b), Dot(rows[1], r, g, b), Dot(rows[2], r, g, b)) : new(r, g, b);
 
     private static float Dot(Rgb row, float r, float g, float b) => (row.R * r) + (row.G * g) + (row.B * b);
 

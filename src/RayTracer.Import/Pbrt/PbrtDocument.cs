@@ -93,7 +93,7 @@ internal sealed class PbrtDocument
         switch (token.Text)
         {
             case "Identity":
-                _scope.State = _scope.State with { Place = Transform.Identity };
+                _scope.Identify();
                 break;
             case "ReverseOrientation":
                 _scope.State = _scope.State with { IsReversed = !_scope.State.IsReversed };
@@ -137,13 +137,13 @@ internal sealed class PbrtDocument
     private void Active(PbrtToken token, PbrtArguments arguments)
     {
         string which = arguments.Text.Next()?.Text ?? "";
-        if (which is not ("All" or "StartTime" or "EndTime"))
+        if (Array.Find(Enum.GetValues<PbrtTimes>(), t => t.ToString() == which) is var times && times != 0)
         {
-            _log.Unknown(token.Place, $"expected All, StartTime or EndTime, but found {Quotation.Of(which)}", which, ["All", "StartTime", "EndTime"]);
+            _scope.Activate(times);
         }
-        else if (which != "All")
+        else
         {
-            _log.Unsupported(token.Place, "what moves while the shutter is open is not supported (ActiveTransform)", "both transforms count, one after the other");
+            _log.Unknown(token.Place, $"expected All, StartTime or EndTime, but found {Quotation.Of(which)}", which, Enum.GetNames<PbrtTimes>());
         }
     }
 

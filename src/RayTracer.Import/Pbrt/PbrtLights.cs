@@ -13,7 +13,10 @@ namespace RayTracer.Import;
 /// <param name="exposure">The factor of the film on all light: the imaging ratio.</param>
 internal sealed class PbrtLights(ImportReading reading, float exposure)
 {
-    private static readonly string[] s_types = ["point", "spot", "projection", "distant", "infinite"];
+    private static readonly string[] s_types = ["point", "spot", "projection", "goniometric", "distant", "infinite"];
+
+    // The pole of our pictures is y and z is at the top; of theirs the pole is z, and y at the bottom.
+    private static readonly Transform s_polar = new(new(1, 0, 0, 0), new(0, 0, -1, 0), new(0, 1, 0, 0));
 
     private readonly Dictionary<PbrtThing, Rgb> _radiances = [];
 
@@ -52,9 +55,9 @@ internal sealed class PbrtLights(ImportReading reading, float exposure)
             return OfPower((MeshDescription)made, shape.State.Place, triangles => radiance * (power / (sides * float.Pi * triangles)), light, material);
         }
 
-        if (made is MeshDescription { File.Length: > 0 })
+        if (shape.Type is not ("sphere" or "disk" or "cylinder"))
         {
-            reading.Log.Unsupported(light.PlaceOf("power"), "a mesh of a file cannot be given a power: pbrt gives it to each of its triangles", "\"scale\" alone counts");
+            reading.Log.Unsupported(light.PlaceOf("power"), $"a {shape.Type} cannot be given a power: pbrt gives it to each of its parts", "\"scale\" alone counts");
             return made with { Material = Luminaire(light, picture, radiance, material) };
         }
 
@@ -70,6 +73,7 @@ internal sealed class PbrtLights(ImportReading reading, float exposure)
             "point" => Point(light),
             "spot" => Spot(light),
             "projection" => Projection(light),
+            "goniometric" => Goniometric(light),
             "distant" => Distant(light),
             _ => null,
         };
@@ -78,23 +82,36 @@ internal sealed class PbrtLights(ImportReading reading, float exposure)
             light.UnknownType(s_types);
         }
 
+        if (light.State.Places.Moves)
+        {
+            reading.Log.Warn(light.Place, "lights without a surface do not move, as in pbrt: the first of the two transforms counts");
+        }
+
         light.Finish();
         return made is null ? null : reading.At(light.Place, made);
     }
 
-    /// <summary>The radiance from all around, of one that is an environment.</summary>
+    /// <summary>The picture of all around, of an environment that has one.</summary>
+    public ImageEnvironmentDescription Surroundings(PbrtThing light)
+    {
+        light.Refuse("portal", "portals are not read: the light comes from all around", "it comes from all around");
+        light.Refuse("illuminance", "a picture cannot be given an illuminance here, which depends on it: \"scale\" says how strong it is", "\"scale\" alone counts");
+        light.Refuse("L", "an environment has either a picture or a radiance \"L\"");
+        ImageEnvironmentDescription made = new()
+        {
+            File = light.FileName() ?? "",
+            Mapping = DirectionMapping.Octahedral,
+            Scale = light.Float("scale", 1, 0) * exposure,
+            Transform = MatrixSteps.Of(light.State.Place * s_polar),
+        };
+        light.Finish();
+        return reading.At(light.Place, made);
+    }
+
+    /// <summary>The radiance from all around, of one that is an environment without a picture.</summary>
     public Rgb Around(PbrtThing light)
     {
         light.Refuse("portal", "portals are not read: the light comes from all around", "it comes from all around");
-        if (light.Has("filename"))
-        {
-            light.Ignore("filename");
-            reading.Log.Unsupported(
-                light.PlaceOf("filename"), "pictures of surroundings in pbrt's equal-area mapping are not read: native scenes have them by latitude and longitude", "it is black");
-            light.Ignore("L", "scale", "illuminance");
-            return Rgb.Black;
-        }
-
         Rgb radiance = Scaled(light, "L");
         float illuminance = light.Float("illuminance", -1);
         light.Finish();
@@ -207,6 +224,20 @@ internal sealed class PbrtLights(ImportReading reading, float exposure)
             FieldOfView = light.Float("fov", 90, 0.001f, 179),
             FieldOfViewAxis = FieldOfViewAxis.Smaller,
             EvenOnWalls = false,
+        };
+    }
+
+    // pbrt exchanges y and z of the picture's directions, of which z is the pole otherwise.
+    private PointLightDescription Goniometric(PbrtThing light)
+    {
+        light.Refuse("power", "a goniometric light cannot be given a power here, which depends on its picture: \"scale\" says how strong it is", "\"scale\" alone counts");
+        ImageTextureDescription picture = new() { File = light.FileName() ?? "", Interpolation = Interpolation.Nearest, Wrapping = Wrapping.Clamp, Luminance = true };
+        return new()
+        {
+            Intensity = Scaled(light, "I"),
+            Picture = picture.File.Length > 0 ? reading.At(light.Place, picture) : MaterialTextures.Solid(0),
+            Mapping = DirectionMapping.Octahedral,
+            Transform = MatrixSteps.Of(light.State.Place * Transform.Scaling(new(1, 1, -1))),
         };
     }
 

@@ -17,7 +17,7 @@ internal sealed class PbrtMaterials(ImportReading reading, PbrtWorld world, Pbrt
     private const float SmoothAlpha = 1e-3f;
 
     private static readonly string[] s_types =
-        ["diffuse", "conductor", "dielectric", "thindielectric", "coateddiffuse", "diffusetransmission", "mix", "interface"];
+        ["diffuse", "conductor", "dielectric", "thindielectric", "coateddiffuse", "coatedconductor", "diffusetransmission", "mix", "interface"];
 
     private readonly Dictionary<PbrtThing, MaterialDescription> _made = [];
     private readonly HashSet<PbrtThing> _open = [];
@@ -94,6 +94,7 @@ internal sealed class PbrtMaterials(ImportReading reading, PbrtWorld world, Pbrt
         "dielectric" => Uneven(material, Dielectric(material)),
         "thindielectric" => Uneven(material, new ThinDielectricMaterialDescription { RefractiveIndex = Index(material) }),
         "coateddiffuse" => Uneven(material, PbrtCoats.Diffuse(material, textures, Alpha(material))),
+        "coatedconductor" => Uneven(material, PbrtCoats.Conductor(material, Conductor(material, "conductor."), Alpha(material, "interface."), Alpha(material, "conductor."))),
         "diffusetransmission" => Uneven(material, Translucent(material)),
         "mix" => Mix(material),
         "interface" or "" or "none" => new InvisibleMaterialDescription(),
@@ -149,25 +150,25 @@ internal sealed class PbrtMaterials(ImportReading reading, PbrtWorld world, Pbrt
         return new() { Color = Scaled("reflectance"), Transmittance = Scaled("transmittance") };
     }
 
-    private MetalDescription Conductor(PbrtThing material)
+    private MetalDescription Conductor(PbrtThing material, string prefix = "")
     {
-        (TextureDescription u, TextureDescription v) = Alpha(material);
-        (Metal? metal, Rgb? eta, Rgb? k, TextureDescription factor) = Substance(material);
+        (TextureDescription u, TextureDescription v) = Alpha(material, prefix);
+        (Metal? metal, Rgb? eta, Rgb? k, TextureDescription factor) = Substance(material, prefix + "eta", prefix + "k");
         return IsSmooth(u) && IsSmooth(v)
             ? new ConductorMaterialDescription { Metal = metal, Eta = eta, K = k, SpecularReflectance = factor }
             : new RoughConductorMaterialDescription { Metal = metal, Eta = eta, K = k, SpecularReflectance = factor, Alpha = u, AlphaU = u == v ? null : u, AlphaV = u == v ? null : v };
     }
 
     // A metal by its name or numbers, or whatever reflects so much when seen head-on.
-    private (Metal? Metal, Rgb? Eta, Rgb? K, TextureDescription Factor) Substance(PbrtThing material)
+    private (Metal? Metal, Rgb? Eta, Rgb? K, TextureDescription Factor) Substance(PbrtThing material, string etaName, string kName)
     {
         TextureDescription white = MaterialTextures.Solid(Rgb.White);
         if (material.Has("reflectance"))
         {
-            material.Ignore("eta", "k");
-            if (material.Has("eta") || material.Has("k"))
+            material.Ignore(etaName, kName);
+            if (material.Has(etaName) || material.Has(kName))
             {
-                reading.Log.Error(material.PlaceOf("reflectance"), "either \"reflectance\" or \"eta\" and \"k\" may be given, but not both");
+                reading.Log.Error(material.PlaceOf("reflectance"), $"either \"reflectance\" or \"{etaName}\" and \"{kName}\" may be given, but not both");
             }
 
             // pbrt takes 1 for eta, and of k what gives the reflectance: k = 2 √r / √(1 − r).
@@ -181,16 +182,16 @@ internal sealed class PbrtMaterials(ImportReading reading, PbrtWorld world, Pbrt
             return (Metal.None, null, null, textures.Color(material, "reflectance", Rgb.White));
         }
 
-        (string? eta, string? k) = (PbrtColors.NameOf(material, "eta"), PbrtColors.NameOf(material, "k"));
-        string of = MetalOf(eta, "-eta") ?? (material.Has("eta") ? "" : "Cu");
-        string ofK = MetalOf(k, "-k") ?? (material.Has("k") ? "" : "Cu");
+        (string? eta, string? k) = (PbrtColors.NameOf(material, etaName), PbrtColors.NameOf(material, kName));
+        string of = MetalOf(eta, "-eta") ?? (material.Has(etaName) ? "" : "Cu");
+        string ofK = MetalOf(k, "-k") ?? (material.Has(kName) ? "" : "Cu");
         if (of == ofK && PbrtSpectra.Metals.TryGetValue(of, out Metal metal))
         {
-            material.Ignore("eta", "k");
+            material.Ignore(etaName, kName);
             return (metal, null, null, white);
         }
 
-        return (null, Limited(PbrtColors.Read(material, "eta", new(0.2f, 0.92f, 1.1f))), PbrtColors.Read(material, "k", new(3.91f, 2.45f, 2.14f)), white);
+        return (null, Limited(PbrtColors.Read(material, etaName, new(0.2f, 0.92f, 1.1f))), PbrtColors.Read(material, kName, new(3.91f, 2.45f, 2.14f)), white);
     }
 
     private static string? MetalOf(string? name, string end) =>
@@ -229,12 +230,12 @@ internal sealed class PbrtMaterials(ImportReading reading, PbrtWorld world, Pbrt
     }
 
     // The alphas along u and v: of roughness the square root, unless it is said that they are alphas already.
-    private (TextureDescription U, TextureDescription V) Alpha(PbrtThing material)
+    private (TextureDescription U, TextureDescription V) Alpha(PbrtThing material, string prefix = "")
     {
         bool isRemapped = material.Boolean("remaproughness", true);
-        TextureDescription both = Alpha(material, "roughness", isRemapped) ?? MaterialTextures.Solid(0);
-        TextureDescription u = Alpha(material, "uroughness", isRemapped) ?? both;
-        TextureDescription v = Alpha(material, "vroughness", isRemapped) ?? both;
+        TextureDescription both = Alpha(material, prefix + "roughness", isRemapped) ?? MaterialTextures.Solid(0);
+        TextureDescription u = Alpha(material, prefix + "uroughness", isRemapped) ?? both;
+        TextureDescription v = Alpha(material, prefix + "vroughness", isRemapped) ?? both;
         return u is SolidTextureDescription { Color: var a } && v is SolidTextureDescription { Color: var b } && a == b ? (u, u) : (u, v);
     }
 

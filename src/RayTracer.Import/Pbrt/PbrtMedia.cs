@@ -12,7 +12,7 @@ namespace RayTracer.Import;
 /// <param name="exposure">The factor of the film on all light: the imaging ratio.</param>
 internal sealed class PbrtMedia(ImportReading reading, PbrtWorld world, float exposure)
 {
-    private static readonly string[] s_types = ["homogeneous", "uniformgrid", "nanovdb"];
+    private static readonly string[] s_types = ["homogeneous", "uniformgrid", "rgbgrid", "cloud", "nanovdb"];
 
     private readonly Dictionary<PbrtThing, MediumDescription> _made = [];
     private readonly HashSet<string> _used = [];
@@ -84,6 +84,11 @@ internal sealed class PbrtMedia(ImportReading reading, PbrtWorld world, float ex
         medium.Refuse("temperature", "temperatures of media are not read: of what shines, one colour is (\"Le\")", "it does not shine");
         medium.Ignore("temperaturecutoff", "temperaturescale", "temperatureoffset");
         float scale = medium.Float("scale", 1, 0);
+        if (medium.Type == "rgbgrid")
+        {
+            return Colored(medium, scale);
+        }
+
         Rgb absorption = PbrtColors.Read(medium, "sigma_a", Rgb.White) * scale;
         Rgb scattering = PbrtColors.Read(medium, "sigma_s", Rgb.White) * scale;
         Rgb extinction = absorption + scattering;
@@ -93,7 +98,8 @@ internal sealed class PbrtMedia(ImportReading reading, PbrtWorld world, float ex
             Albedo = new(Part(scattering.R, extinction.R), Part(scattering.G, extinction.G), Part(scattering.B, extinction.B)),
             Anisotropy = medium.Float("g", 0, -0.99f, 0.99f),
             Emission = absorption * Emission(medium),
-            Density = medium.Type switch { "uniformgrid" => Grid(medium), "nanovdb" => File(medium), _ => null },
+            Density = medium.Type switch { "uniformgrid" => Grid(medium, medium.Floats("density"), 1, "density"), "nanovdb" => File(medium), _ => null },
+            Cloud = medium.Type == "cloud" ? Cloud(medium) : null,
         };
     }
 
@@ -107,9 +113,9 @@ internal sealed class PbrtMedia(ImportReading reading, PbrtWorld world, float ex
             return Rgb.Black;
         }
 
-        if (!radiance.IsBlack && medium.Type == "homogeneous")
+        if (!radiance.IsBlack && medium.Type is "homogeneous" or "cloud")
         {
-            medium.Log.Unsupported(medium.PlaceOf("Le"), "even media that shine are not supported: grids are", "it does not shine");
+            medium.Log.Unsupported(medium.PlaceOf("Le"), "of media, grids alone shine", "it does not shine");
             radiance = Rgb.Black;
         }
 
@@ -128,37 +134,83 @@ internal sealed class PbrtMedia(ImportReading reading, PbrtWorld world, float ex
         return new() { File = file, Name = "density", Transform = MatrixSteps.Of(medium.State.Place) };
     }
 
+    private static CloudDescription Cloud(PbrtThing medium) => new()
+    {
+        Box = [medium.Vector("p0", "point3") ?? Vector3.Zero, medium.Vector("p1", "point3") ?? Vector3.One],
+        Transform = MatrixSteps.Of(medium.State.Place),
+        Density = medium.Float("density", 1, 0),
+        Wispiness = medium.Float("wispiness", 1, 0),
+        Frequency = medium.Float("frequency", 5, 0),
+    };
+
+    // Of each point, the extinction, the part of it that is scattered, and the light that is sent for each unit of length. What is not given is 1.
+    private MediumDescription Colored(PbrtThing medium, float scale)
+    {
+        IReadOnlyList<float> absorbed = PbrtColors.Many(medium, "sigma_a");
+        IReadOnlyList<float> scattered = PbrtColors.Many(medium, "sigma_s");
+        IReadOnlyList<float> shining = PbrtColors.Many(medium, "Le");
+        float strength = medium.Float("Lescale", 1, 0) * exposure;
+        int count = int.Max(absorbed.Count, scattered.Count);
+        if (count == 0 || (absorbed.Count > 0 && scattered.Count > 0 && absorbed.Count != scattered.Count) || (shining.Count > 0 && shining.Count != absorbed.Count))
+        {
+            medium.Log.Error(medium.Place, "an rgbgrid needs \"sigma_a\" or \"sigma_s\", as many of both, and as many of \"Le\" as of \"sigma_a\" where it shines");
+            return new();
+        }
+
+        float At(IReadOnlyList<float> values, int i) => values.Count > 0 ? values[i] : 1;
+        if (Grid(medium, [.. Enumerable.Range(0, count).Select(i => At(absorbed, i) + At(scattered, i))], 3, absorbed.Count > 0 ? "sigma_a" : "sigma_s") is not { } density)
+        {
+            return new();
+        }
+
+        MediumDescription made = new()
+        {
+            Extinction = new(scale, scale, scale),
+            Albedo = Rgb.White,
+            Anisotropy = medium.Float("g", 0, -0.99f, 0.99f),
+            Density = density,
+            AlbedoGrid = Grid(medium, [.. Enumerable.Range(0, count).Select(i => Part(At(scattered, i), At(absorbed, i) + At(scattered, i)))], 3, "sigma_s", layer: 0),
+        };
+        return shining.All(l => l * strength == 0) ? made : made with
+        {
+            Emission = new(scale * strength, scale * strength, scale * strength),
+            EmissionGrid = Grid(medium, [.. shining.Select((l, i) => l * absorbed[i])], 3, "Le"),
+        };
+    }
+
     // Beyond the outermost points there is nothing, and in between it fades: a layer of points without density around the grid, as pbrt has it.
-    private static GridDescription? Grid(PbrtThing medium)
+    private static GridDescription? Grid(PbrtThing medium, IReadOnlyList<float> values, int channels, string name, int layer = 1)
     {
         (int x, int y, int z) = (medium.Integer("nx", 1, 1), medium.Integer("ny", 1, 1), medium.Integer("nz", 1, 1));
-        IReadOnlyList<float> density = medium.Floats("density");
         Vector3 first = medium.Vector("p0", "point3") ?? Vector3.Zero;
         Vector3 last = medium.Vector("p1", "point3") ?? Vector3.One;
-        if (VolumeGrid.SizeComplaint(x + 2L, y + 2L, z + 2L, 1) is { } complaint)
+        if (VolumeGrid.SizeComplaint(x + 2L, y + 2L, z + 2L, channels) is { } complaint)
         {
             return medium.Log.Fail<GridDescription>(medium.Place, complaint);
         }
 
-        if (density.Count != (long)x * y * z)
+        if (values.Count != (long)channels * x * y * z)
         {
-            return medium.Log.Fail<GridDescription>(medium.PlaceOf("density"), $"expected nx·ny·nz = {(long)x * y * z} numbers for \"density\", but found {density.Count}");
+            string points = channels == 1 ? "" : $"{channels}·";
+            return medium.Log.Fail<GridDescription>(medium.PlaceOf(name), $"expected {points}nx·ny·nz = {(long)channels * x * y * z} numbers for {Quotation.Of(name)}, but found {values.Count}");
         }
 
-        long count = (x + 2L) * (y + 2) * (z + 2);
+        (int nx, int ny, int nz) = (x + (2 * layer), y + (2 * layer), z + (2 * layer));
+        long count = (long)channels * nx * ny * nz;
         if (SceneBudget.Open?.Take("the grid of densities", 4 * count, count) is { } tooMuch)
         {
-            return medium.Log.Fail<GridDescription>(medium.PlaceOf("density"), tooMuch);
+            return medium.Log.Fail<GridDescription>(medium.PlaceOf(name), tooMuch);
         }
 
         float[] padded = new float[count];
-        for (int i = 0; i < density.Count; i++)
+        for (int i = 0; i < values.Count; i++)
         {
-            (int row, int column) = (i / x, i % x);
-            padded[(((((long)(row / y) + 1) * (y + 2)) + (row % y) + 1) * (x + 2)) + column + 1] = density[i];
+            (int row, int column) = (i / channels / x, i / channels % x);
+            padded[(channels * ((((((long)(row / y) + layer) * ny) + (row % y) + layer) * nx) + column + layer)) + (i % channels)] = values[i];
         }
 
         Vector3 cell = (last - first) / new Vector3(x, y, z);
-        return new() { Size = [x + 2, y + 2, z + 2], Values = padded, Box = [first - cell, last + cell], Transform = MatrixSteps.Of(medium.State.Place) };
+        int[] size = channels == 1 ? [nx, ny, nz] : [nx, ny, nz, channels];
+        return new() { Size = size, Values = padded, Box = [first - (layer * cell), last + (layer * cell)], Transform = MatrixSteps.Of(medium.State.Place) };
     }
 }

@@ -5,21 +5,11 @@ internal static class PbrtPlugins
 {
     /// <summary>The reasons.</summary>
     public static IReadOnlyDictionary<(string Kind, string Type), string> Refused { get; } = """
-        shape curve: curves are not rendered
-        material hair: there are no curves that it could cover
+        material hair: light within fibres is not simulated
         material measured: measured tables are not read
         material subsurface: "dielectric" with a medium inside is
-        material coatedconductor: there is no metal under a clear coat here
-        texture dots: where they are depends on pbrt's own noise
-        texture fbm: it depends on pbrt's own noise
-        texture wrinkled: it depends on pbrt's own noise
-        texture windy: it depends on pbrt's own noise
-        texture marble: it depends on pbrt's own noise
         texture ptex: files of Ptex are not read
         texture directionmix: nothing here depends on a direction
-        light goniometric: pictures in pbrt's equal-area mapping of directions are not read
-        medium rgbgrid: of grids, those of densities are read ("uniformgrid", "nanovdb")
-        medium cloud: it depends on pbrt's own noise
         camera realistic: lenses of several glasses are not simulated
         integrator mlt: "bdpt" is as good with caustics
         integrator function: it renders no scene

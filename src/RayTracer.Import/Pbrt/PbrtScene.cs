@@ -1,4 +1,6 @@
+using System.Numerics;
 using RayTracer.Description;
+using RayTracer.Lights;
 using RayTracer.Numerics;
 
 namespace RayTracer.Import;
@@ -11,14 +13,16 @@ internal sealed class PbrtScene(ImportReading reading, PbrtWorld world)
     {
         PbrtThing? camera = world.Only.GetValueOrDefault("camera");
         PbrtFilms films = new(world);
-        float open = PbrtCameras.Exposure(camera);
+        Vector2 shutter = PbrtCameras.Shutter(camera);
+        float open = shutter.Y - shutter.X;
         if (!(open > 0))
         {
             reading.Log.Error(camera!.Place, "the shutter must close after it opens");
         }
 
         SceneDescription scene = new();
-        FilmRead film = films.Read(scene.Render with { ShadingNormals = ShadingNormals.Literal });
+        bool moves = camera?.State.Places.Moves == true || world.Shapes.Concat(world.Objects.Values.SelectMany(o => o)).Any(s => s.State.Places.Moves);
+        FilmRead film = films.Read(scene.Render with { ShadingNormals = ShadingNormals.Literal, Shutter = moves ? shutter : scene.Render.Shutter });
         float exposure = open * films.Sensitivity;
         PbrtLights lights = new(reading, exposure);
         PbrtTextures textures = new(reading, world);
@@ -44,10 +48,20 @@ internal sealed class PbrtScene(ImportReading reading, PbrtWorld world)
     private SceneDescription Lights(PbrtLights lights, SceneDescription scene)
     {
         Rgb around = Rgb.Black;
+        ImageEnvironmentDescription? picture = null;
         List<ShapeDescription> punctual = [];
         foreach (PbrtThing light in world.Lights)
         {
-            if (light.Type == "infinite")
+            if (light.Type == "infinite" && light.Has("filename"))
+            {
+                if (picture is not null)
+                {
+                    reading.Log.Unsupported(light.Place, "a scene has one picture of its surroundings", "the last one is shown");
+                }
+
+                picture = lights.Surroundings(light);
+            }
+            else if (light.Type == "infinite")
             {
                 around += lights.Around(light);
             }
@@ -57,6 +71,12 @@ internal sealed class PbrtScene(ImportReading reading, PbrtWorld world)
             }
         }
 
-        return scene with { Background = around, Lights = punctual };
+        if (picture is not null && !around.IsBlack)
+        {
+            reading.Log.Unsupported(world.Lights.First(l => l.Type == "infinite" && !l.Has("filename")).Place, "light from all around is either a picture or a colour", "the picture alone is shown");
+            around = Rgb.Black;
+        }
+
+        return scene with { Background = around, Environment = picture, Lights = punctual };
     }
 }

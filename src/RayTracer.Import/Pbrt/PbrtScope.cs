@@ -10,7 +10,7 @@ internal sealed class PbrtScope(ImportLog log)
 {
     private const int MaximumNesting = 256;
     private readonly Stack<(PbrtState State, string Directive, SourcePlace Place)> _saved = [];
-    private readonly Dictionary<string, Transform> _spaces = new(StringComparer.Ordinal);
+    private readonly Dictionary<string, PbrtPlaces> _spaces = new(StringComparer.Ordinal);
 
     /// <summary>What holds now.</summary>
     public PbrtState State { get; set; } = new();
@@ -24,24 +24,24 @@ internal sealed class PbrtScope(ImportLog log)
     /// <summary>Begins the world, in whose space things stand from then on.</summary>
     public void BeginWorld()
     {
-        _spaces["camera"] = _spaces.GetValueOrDefault("camera", Transform.Identity);
-        State = State with { Place = Transform.Identity };
-        _spaces["world"] = Transform.Identity;
+        _spaces["camera"] = _spaces.GetValueOrDefault("camera", PbrtPlaces.World);
+        State = State with { Places = PbrtPlaces.World, Active = PbrtTimes.All };
+        _spaces["world"] = PbrtPlaces.World;
         IsWorld = true;
     }
 
     /// <summary>Gives the space in which things stand now a name.</summary>
-    public void NameSpace(string name) => _spaces[name] = State.Place;
+    public void NameSpace(string name) => _spaces[name] = State.Places;
 
     /// <summary>The camera stands here.</summary>
-    public void NameCamera() => _spaces["camera"] = State.Place.Inverse();
+    public void NameCamera() => _spaces["camera"] = State.Places.Select(p => p.Inverse());
 
     /// <summary>Goes to a space by its name.</summary>
     public void EnterSpace(PbrtToken name)
     {
-        if (_spaces.TryGetValue(name.Text, out Transform space))
+        if (_spaces.TryGetValue(name.Text, out PbrtPlaces space))
         {
-            State = State with { Place = space };
+            State = State with { Places = space };
         }
         else
         {
@@ -81,7 +81,7 @@ internal sealed class PbrtScope(ImportLog log)
         }
 
         _saved.Pop();
-        State = token.Text == "TransformEnd" ? State with { Place = last.State.Place } : last.State;
+        State = token.Text == "TransformEnd" ? State with { Places = last.State.Places, Active = last.State.Active } : last.State;
         Object = token.Text == "ObjectEnd" ? null : Object;
     }
 
@@ -90,16 +90,29 @@ internal sealed class PbrtScope(ImportLog log)
     /// <param name="numbers">Its numbers.</param>
     public void Move(PbrtToken token, float[] numbers)
     {
-        Transform before = token.Text == "Transform" ? Transform.Identity : State.Place;
-        if (PbrtTransforms.Of(token.Text, numbers, out string? complaint) is { } map && before * map is { IsInvertible: true } all)
+        if (token.Text == "TransformTimes")
         {
-            State = State with { Place = all };
+            State = State with { Times = (numbers[0], numbers[1]) };
+        }
+        else if (PbrtTransforms.Of(token.Text, numbers, out string? complaint) is { } map && Moved(before => token.Text == "Transform" ? map : before * map) is { Start.IsInvertible: true, End.IsInvertible: true } places)
+        {
+            State = State with { Places = places };
         }
         else
         {
             log.Error(token.Place, complaint ?? "the transform flattens what follows, or has numbers too large or too small to compute with");
         }
     }
+
+    /// <summary>Goes to the world's own space.</summary>
+    public void Identify() => State = State with { Places = Moved(_ => Transform.Identity) };
+
+    /// <summary>Says which transforms the following directives change.</summary>
+    public void Activate(PbrtTimes times) => State = State with { Active = times };
+
+    private PbrtPlaces Moved(Func<Transform, Transform> change) => new(
+        State.Active.HasFlag(PbrtTimes.StartTime) ? change(State.Places.Start) : State.Places.Start,
+        State.Active.HasFlag(PbrtTimes.EndTime) ? change(State.Places.End) : State.Places.End);
 
     /// <summary>Takes a colour space for the numbers that follow.</summary>
     public void SetColorSpace(PbrtToken name)

@@ -10,7 +10,7 @@ namespace RayTracer.Import;
 /// <summary>Makes shapes: which they are, what they are made of, and whether they shine.</summary>
 internal sealed class PbrtShapes(ImportReading reading, PbrtWorld world, PbrtTextures textures, PbrtMaterials materials, PbrtMedia media, PbrtLights lights)
 {
-    private static readonly string[] s_types = ["sphere", "disk", "cylinder", "trianglemesh", "plymesh", "bilinearmesh", "loopsubdiv"];
+    private static readonly string[] s_types = ["sphere", "disk", "cylinder", "trianglemesh", "plymesh", "bilinearmesh", "loopsubdiv", "curve"];
 
     // Takes our sphere, around which u = 0 faces −z and whose pole is y, to theirs: pole z, and u = 0 at x.
     private static readonly Transform s_upright = new(new(0, 0, -1, 0), new(-1, 0, 0, 0), new(0, 1, 0, 0));
@@ -40,8 +40,13 @@ internal sealed class PbrtShapes(ImportReading reading, PbrtWorld world, PbrtTex
             return reading.Log.Unknown<InstanceDescription>(instance.Place, $"there is no object {Quotation.Of(instance.Type)}", instance.Type, [.. world.Objects.Keys]);
         }
 
-        return !Objects.TryGetValue(instance.Type, out ShapeDescription? of) ? null
-            : reading.At(instance.Place, new InstanceDescription { Of = of, Transform = MatrixSteps.Of(instance.State.Place) });
+        if (!Objects.TryGetValue(instance.Type, out ShapeDescription? of))
+        {
+            return null;
+        }
+
+        IReadOnlyList<KeyframeDescription> motion = PbrtMotion.Of(instance, instance.State.Places);
+        return reading.At(instance.Place, new InstanceDescription { Of = of, Transform = motion.Count > 0 ? [] : MatrixSteps.Of(instance.State.Place), Motion = motion });
     }
 
     private ShapeDescription? Shape(PbrtThing shape, bool isInObject)
@@ -52,6 +57,7 @@ internal sealed class PbrtShapes(ImportReading reading, PbrtWorld world, PbrtTex
             return shape.Log.IsLenient ? new SphereDescription { Radius = 1, Material = PbrtMaterials.Magenta, Transform = MatrixSteps.Of(shape.State.Place) } : null;
         }
 
+        IReadOnlyList<KeyframeDescription> motion = PbrtMotion.Of(shape, shape.State.Places.Moves ? shape.TakePlaces() : PbrtPlaces.World);
         PbrtThing? light = shape.State.Light;
         if (light is not null && isInObject)
         {
@@ -66,6 +72,7 @@ internal sealed class PbrtShapes(ImportReading reading, PbrtWorld world, PbrtTex
             "trianglemesh" => PbrtMeshes.Triangles(shape),
             "bilinearmesh" => PbrtMeshes.Patches(shape),
             "loopsubdiv" => PbrtMeshes.Subdivided(shape),
+            "curve" => PbrtCurves.Read(shape),
             _ => PbrtMeshes.File(shape),
         };
         shape.Finish();
@@ -76,7 +83,7 @@ internal sealed class PbrtShapes(ImportReading reading, PbrtWorld world, PbrtTex
 
         made = made with { Transform = made.Transform.Count > 0 ? made.Transform : MatrixSteps.Of(shape.State.Place) };
         made = light is null ? made with { Material = material } : lights.Shining(shape, light, made, material);
-        return reading.At(shape.Place, made);
+        return reading.At(shape.Place, made with { Motion = motion });
     }
 
     private MaterialDescription Material(PbrtThing shape, bool shines)

@@ -7,8 +7,17 @@ namespace RayTracer.Import;
 /// <summary>What holds at a place of a scene, for what stands there (pbrt's graphics state).</summary>
 internal sealed record PbrtState
 {
-    /// <summary>The map from the space of what stands there to the world (before the camera: from the world to it).</summary>
-    public Transform Place { get; init; } = Transform.Identity;
+    /// <summary>The maps from the space of what stands there to the world (before the camera: from the world to it).</summary>
+    public PbrtPlaces Places { get; init; } = PbrtPlaces.World;
+
+    /// <summary>The map where nothing moves, or at the first of the two times.</summary>
+    public Transform Place => Places.Start;
+
+    /// <summary>The times whose maps directives change.</summary>
+    public PbrtTimes Active { get; init; } = PbrtTimes.All;
+
+    /// <summary>The two times, in seconds.</summary>
+    public (float Start, float End) Times { get; init; } = (0, 1);
 
     /// <summary>True where surfaces are turned inside out.</summary>
     public bool IsReversed { get; init; }

@@ -10,7 +10,7 @@ internal sealed class PbrtTextures(ImportReading reading, PbrtWorld world)
 {
     private const string Number = "float";
 
-    private static readonly string[] s_types = ["constant", "scale", "mix", "bilerp", "imagemap", "checkerboard"];
+    private static readonly string[] s_types = ["constant", "scale", "mix", "bilerp", "imagemap", "checkerboard", "dots", "fbm", "wrinkled", "windy", "marble"];
 
     private static readonly Dictionary<string, Interpolation> s_filters = new()
     {
@@ -22,6 +22,9 @@ internal sealed class PbrtTextures(ImportReading reading, PbrtWorld world)
     };
 
     private static readonly Dictionary<string, Wrapping> s_wrappings = new() { ["repeat"] = Wrapping.Repeat, ["clamp"] = Wrapping.Clamp };
+
+    private static readonly Dictionary<string, PerlinPattern> s_noises =
+        new() { ["fbm"] = PerlinPattern.Fbm, ["wrinkled"] = PerlinPattern.Wrinkled, ["windy"] = PerlinPattern.Windy, ["marble"] = PerlinPattern.Marble };
 
     private readonly Dictionary<PbrtThing, TextureDescription> _made = [];
     private readonly HashSet<PbrtThing> _open = [];
@@ -110,6 +113,8 @@ internal sealed class PbrtTextures(ImportReading reading, PbrtWorld world)
             "mix" => new MixTextureDescription { First = Part(texture, "tex1", of, 0), Second = Part(texture, "tex2", of, 1), Weight = Part(texture, "amount", Number, 0.5f) },
             "bilerp" => Bilerp(texture, of),
             "imagemap" => Picture(texture),
+            "dots" => Dots(texture, of),
+            var noise when s_noises.TryGetValue(noise, out PerlinPattern pattern) => Noise(texture, pattern, of),
             _ => Checkerboard(texture, of),
         };
     }
@@ -139,6 +144,36 @@ internal sealed class PbrtTextures(ImportReading reading, PbrtWorld world)
 
         (Vector2 scale, Vector2 offset) = Mapping(texture);
         return new CheckerTextureDescription { Even = Part(texture, "tex1", of, 1), Odd = Part(texture, "tex2", of, 0), Scale = scale, Offset = offset };
+    }
+
+    private DotsTextureDescription Dots(PbrtThing texture, string of)
+    {
+        (Vector2 scale, Vector2 offset) = Mapping(texture);
+        return new() { Inside = Part(texture, "inside", of, 1), Outside = Part(texture, "outside", of, 0), Scale = scale, Offset = offset };
+    }
+
+    // In the space of the texture itself, which instances move through.
+    private PerlinTextureDescription Noise(PbrtThing texture, PerlinPattern pattern, string of)
+    {
+        bool isMarble = pattern == PerlinPattern.Marble;
+        if (isMarble == (of == Number))
+        {
+            reading.Log.Error(texture.Place, $"a texture {Quotation.Of(texture.Type)} is of {(isMarble ? "spectrum" : Number)}, not of {of}");
+        }
+
+        float scale = isMarble ? texture.Float("scale", 1, 1e-6f) : 1;
+        PerlinTextureDescription noise = new()
+        {
+            Pattern = pattern,
+            Space = TextureSpace.World,
+            Transform = MatrixSteps.Of(texture.State.Place * Transform.Scaling(new(1 / scale, 1 / scale, 1 / scale))),
+        };
+        return pattern == PerlinPattern.Windy ? noise : noise with
+        {
+            Octaves = int.Min(texture.Integer("octaves", 8, 1), 16),
+            Roughness = texture.Float("roughness", 0.5f, 0, 1),
+            Variation = isMarble ? texture.Float("variation", 0.2f, 0) : noise.Variation,
+        };
     }
 
     private TextureDescription Picture(PbrtThing texture)

@@ -42,10 +42,18 @@ internal sealed class PbrtThing(string kind, string type, SourcePlace place, Sou
     public SourcePlace Place => place;
 
     /// <summary>What held where it stands.</summary>
-    public PbrtState State => state;
+    public PbrtState State { get; private set; } = state;
 
     /// <summary>Takes what is wrong with it.</summary>
     public ImportLog Log => log;
+
+    /// <summary>Its places while it moves, none of which counts for it from then on: it is made where it would be without.</summary>
+    public PbrtPlaces TakePlaces()
+    {
+        PbrtPlaces places = State.Places;
+        State = State with { Places = PbrtPlaces.World };
+        return places;
+    }
 
     /// <summary>Adds a parameter.</summary>
     public void Add(PbrtParameter parameter)

@@ -38,12 +38,9 @@ internal static class PbrtTransforms
                 return complaint is null ? Transform.Rotation(axis, n[0]) : null;
             case "LookAt":
                 return LookAt(new(n[0], n[1], n[2]), new(n[3], n[4], n[5]), new(n[6], n[7], n[8]), out complaint);
-            case "Transform" or "ConcatTransform":
+            default:
                 complaint = (n[3], n[7], n[11], n[15]) == (0, 0, 0, 1) ? null : "the last row of a matrix, whose numbers stand column by column, must be 0 0 0 1";
                 return complaint is null ? new(new(n[0], n[4], n[8], n[12]), new(n[1], n[5], n[9], n[13]), new(n[2], n[6], n[10], n[14])) : null;
-            default:
-                // TransformTimes: the times of a second transform, which ActiveTransform refuses.
-                return Transform.Identity;
         }
     }
 

@@ -70,6 +70,7 @@ internal sealed class ShapeReader(Refusals refusals, MaterialReader materials, F
                 AddMesh(mesh, place, material);
                 break;
             case PointLightDescription light:
+                refusals.Rest(light, nameof(light.Position), nameof(light.Intensity), nameof(light.Transform), nameof(light.Motion));
                 Points.Add(new PointLight(place.Point(light.Position), light.Intensity));
                 break;
             case var _ when Shape(shape) is { } own:

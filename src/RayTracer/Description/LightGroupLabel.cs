@@ -5,21 +5,21 @@ namespace RayTracer.Description;
 
 /// <summary>The label of a source in the layers of light: that of the records around it, inner ones before outer ones.</summary>
 /// <param name="Group">The light group; null where none is said.</param>
-/// <param name="Name">The name; null where there is none.</param>
+/// <param name="Name">The name, as it is written; null where there is none.</param>
 internal sealed record LightGroupLabel(string? Group, string? Name)
 {
     /// <summary>Names longer than this are cut off: OpenEXR's names have 255 bytes.</summary>
     private const int LongestName = 200;
 
     /// <summary>The resulting label: the group, or else the name; null where there is neither.</summary>
-    public string? Text => Group ?? Name;
+    public string? Text => Group ?? (Name is null ? null : Plain(Name));
 
     /// <summary>The label inside of a record.</summary>
     /// <param name="description">The record.</param>
     /// <param name="outer">The label around it.</param>
     public static LightGroupLabel? Of(ShapeDescription description, LightGroupLabel? outer)
     {
-        (string? group, string? name) = (Plain(description.LightGroup), Plain(description.Name));
+        (string? group, string? name) = (Plain(description.LightGroup), description.Name.Length > 0 ? description.Name : null);
         return Within(group is null && name is null ? null : new(group, name), outer);
     }
 

@@ -135,7 +135,7 @@ internal sealed class SceneAssembler(SceneBuilder builder)
 
         if (!copies.TryGetValue(key, out SpaceContents? contents))
         {
-            contents = new();
+            contents = new() { Name = builder.NameOf(of) };
             LightGroupLabel? label = _label;
             _label = null;
             using (builder.InheritNothing(material))
@@ -398,6 +398,7 @@ internal sealed class SceneAssembler(SceneBuilder builder)
         }
 
         SceneDescription scene = ModelPlayback.Of(model, imported, builder);
+        builder.TakeNames(scene);
         (ModelDescription? outer, Dictionary<ShapeDescription, Dictionary<object, SpaceContents>> objects) = (_model, _objects);
         _model = model;
         if (model.Smooth || model.Refinement.MovesCorners)

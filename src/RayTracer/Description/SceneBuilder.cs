@@ -26,6 +26,7 @@ public sealed class SceneBuilder(
     private readonly Dictionary<object, object> _built = new(ReferenceEqualityComparer.Instance);
     private readonly Dictionary<object, object> _numberTextures = new(ReferenceEqualityComparer.Instance);
     private readonly Dictionary<MediumDescription, Medium?> _media = new(ReferenceEqualityComparer.Instance);
+    private readonly Dictionary<object, string> _names = new(ReferenceEqualityComparer.Instance);
     private readonly List<SceneComplaint> _complaints = [];
     private RangeCheck? _ranges;
     private MaterialDescription _inherited = ShapeDescription.DefaultMaterial;
@@ -198,6 +199,7 @@ public sealed class SceneBuilder(
             return null;
         }
 
+        TakeNames(description);
         SphereLightSampling = description.Render.SphereLightSampling;
         Shutter = (description.Render.Shutter.X, description.Render.Shutter.Y);
         SceneAssembler assembler = new(this);
@@ -298,6 +300,18 @@ public sealed class SceneBuilder(
         return new(() => _source = before);
     }
 
+    /// <summary>Takes down the names of a scene's materials and objects.</summary>
+    internal void TakeNames(SceneDescription scene)
+    {
+        foreach ((string name, object thing) in scene.Materials.Select(m => (m.Key, (object)m.Value)).Concat(scene.Objects.Select(o => (o.Key, (object)o.Value))))
+        {
+            _names.TryAdd(thing, name);
+        }
+    }
+
+    /// <summary>The name of a material or an object; null where it has none.</summary>
+    internal string? NameOf(object description) => _names.GetValueOrDefault(description);
+
     /// <summary>The record that a part of a scene counts as made from: for parts of a file, the record that names the file.</summary>
     internal ShapeDescription? SourceOf(ShapeDescription part) => KeepsSources ? _source?.Subject as ShapeDescription ?? part : null;
 
@@ -347,6 +361,7 @@ public sealed class SceneBuilder(
         _inputs = outer;
         _parts--;
         material.Source = KeepsSources ? description : null;
+        material.Name = NameOf(description);
         return material;
     }
 

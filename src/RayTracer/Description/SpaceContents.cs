@@ -9,6 +9,9 @@ namespace RayTracer.Description;
 /// <summary>The things that a builder has put into one space: the world, or that of an object which instances show.</summary>
 internal sealed class SpaceContents
 {
+    /// <summary>The name of the object that it is; null where it is the world, or has none.</summary>
+    public string? Name { get; init; }
+
     /// <summary>Shapes, in coordinates of the space.</summary>
     public List<Shape> Shapes { get; } = [];
 

@@ -8,8 +8,9 @@ using RayTracer.Textures;
 namespace RayTracer.Lights;
 
 /// <summary>Describes an <see cref="ImageEnvironment"/>.</summary>
-[SceneType("image", "Light from a picture of all directions (latitude and longitude): its middle column is towards −z and its right half "
-    + "towards +x, its top row is straight up and its bottom row straight down.")]
+[SceneType("image", "Light from a picture of all directions. By latitude and longitude, its middle column is towards +z and its left half "
+    + "towards +x, its top row is straight up and its bottom row straight down. In an octahedral one, the middle is straight up and the corners straight down, its right half is "
+    + "towards +x and its upper half towards +z.")]
 public sealed record ImageEnvironmentDescription : EnvironmentDescription
 {
     /// <summary>The picture's file.</summary>
@@ -25,6 +26,11 @@ public sealed record ImageEnvironmentDescription : EnvironmentDescription
         + "always linear.")]
     public bool Raw { get; init; }
 
+    /// <summary>How the picture shows directions.</summary>
+    [Parameter("How the picture shows directions: by latitude and longitude, or as an octahedron unfolded into a square, each of whose pixels is an equally large part of the "
+        + "sphere (Clarberg 2008; pbrt-v4's pictures).")]
+    public DirectionMapping Mapping { get; init; }
+
     /// <summary>The picture as a program gives it (linear), instead of the file; null where there is none.</summary>
     public Picture? Picture { get; init; }
 
@@ -33,6 +39,17 @@ public sealed record ImageEnvironmentDescription : EnvironmentDescription
     {
         Transform turn = Turn(builder);
         Picture picture = Picture ?? builder.Picture(this, nameof(File), File, Raw);
+        if (Mapping == DirectionMapping.Octahedral)
+        {
+            if (picture.Width != picture.Height)
+            {
+                builder.Error(this, nameof(Mapping), $"an octahedral picture is square, but this one has {picture.Width}×{picture.Height} pixels");
+                return null;
+            }
+
+            picture = DirectionMap.Unfolded(picture);
+        }
+
         (int negative, int endless) = (0, 0);
         foreach (float value in picture.Pixels)
         {

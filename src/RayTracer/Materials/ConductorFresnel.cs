@@ -20,10 +20,13 @@ internal sealed class ConductorFresnel
     }
 
     /// <summary>A named metal.</summary>
-    public ConductorFresnel(Metal metal)
+    /// <param name="metal">Its name.</param>
+    /// <param name="outside">Index of what lies on the metal.</param>
+    public ConductorFresnel(Metal metal, float outside = 1)
     {
         _isPerfect = metal == Metal.None;
         (_eta, _k) = _isPerfect ? default : MetalTable.Of(metal);
+        (_eta, _k) = (_eta * (1 / outside), _k * (1 / outside));
     }
 
     /// <summary>

@@ -17,6 +17,9 @@ public abstract class Material
     /// <summary>The record that it was made from; null where that is not kept.</summary>
     internal Description.MaterialDescription? Source { get; set; }
 
+    /// <summary>Its name in the scene; null where it has none.</summary>
+    internal string? Name { get; set; }
+
     /// <summary>The inputs that its textures depend on, as far as they come from descriptions.</summary>
     internal Textures.TextureInputs Inputs { get; set; }
 

@@ -27,7 +27,9 @@ public abstract record MetalDescription : MaterialDescription
     public TextureDescription SpecularReflectance { get; init; } = new SolidTextureDescription { Color = Rgb.White };
 
     /// <summary>The reflectance of the metal that is named, or whose index is given.</summary>
-    private protected ConductorFresnel BuildFresnel(SceneBuilder builder)
+    /// <param name="builder">Takes the diagnostics.</param>
+    /// <param name="coat">Index of what lies on the metal, relative to the outside.</param>
+    private protected ConductorFresnel BuildFresnel(SceneBuilder builder, float coat = 1)
     {
         if (Metal is not null && (Eta ?? K) is not null)
         {
@@ -38,6 +40,6 @@ public abstract record MetalDescription : MaterialDescription
             builder.Error(this, Eta is null ? nameof(K) : nameof(Eta), "\"eta\" and \"k\" must be given together");
         }
 
-        return Eta is { } eta && K is { } k ? new(eta, k) : new(Metal ?? Materials.Metal.None);
+        return Eta is { } eta && K is { } k ? new(eta * (1 / coat), k * (1 / coat)) : new(Metal ?? Materials.Metal.None, coat);
     }
 }

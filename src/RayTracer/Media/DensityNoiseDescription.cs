@@ -50,46 +50,16 @@ public sealed record DensityNoiseDescription
     public int Seed { get; init; }
 
     /// <summary>The density in its place; null after an error.</summary>
-    internal PlacedGrid? Build(SceneBuilder builder)
+    internal PlacedGrid? Build(SceneBuilder builder) => new ComputedGrid(Box, Transform, Resolution, Octaves).Build(this, builder, At);
+
+    private void At(in Vec3W place, in Vec3W unit, out FloatW density)
     {
-        if (GridBox.Place(this, Box, Transform, null, builder) is not { } place)
-        {
-            return null;
-        }
-
-        Vector3 corner = Box.Count == 2 ? Box[0] : Vector3.Zero;
-        Vector3 sides = Box.Count == 2 ? Box[1] - corner : Vector3.One;
-        float longest = float.Max(float.Abs(sides.X), float.Max(float.Abs(sides.Y), float.Abs(sides.Z)));
-        int Count(float side) => int.Max(1, (int)float.Round(Resolution * (float.Abs(side) / longest)));
-        (int nx, int ny, int nz) = (Count(sides.X), Count(sides.Y), Count(sides.Z));
-        long numbers = (long)nx * ny * nz;
-        if (builder.Budget.Take($"noise of {nx}×{ny}×{nz} points", 2 * sizeof(float) * numbers, numbers * Octaves) is { } tooMuch)
-        {
-            builder.Error(this, nameof(Resolution), tooMuch);
-            return null;
-        }
-
-        float[] values = new float[numbers];
-        Parallel.For(0, ny * nz, row => Fill(values.AsSpan(row * nx, nx), corner, sides, ((row % ny) + 0.5f) / ny, ((row / ny) + 0.5f) / nz));
-        return new(new(nx, ny, nz, 1, values), place, GridInterpolation.Trilinear, Wrapping.Clamp);
-    }
-
-    // One row of the grid, along x.
-    private unsafe void Fill(Span<float> row, Vector3 corner, Vector3 sides, float v, float w)
-    {
-        float* lanes = stackalloc float[FloatW.Count];
-        FloatW y = (2 * v) - 1;
-        FloatW z = (2 * w) - 1;
-        for (int i = 0; i < row.Length; i += FloatW.Count)
-        {
-            FloatW u = (FloatW.Iota + (i + 0.5f)) / row.Length;
-            Vec3W at = new(FloatW.MultiplyAdd(u, sides.X, corner.X), corner.Y + (v * sides.Y), corner.Z + (w * sides.Z));
-            FloatW noise = GradientNoise.Sum(at * Scale, (uint)Seed, Octaves, Gain, Turbulent);
-            FloatW x = FloatW.MultiplyAdd(u, 2f, -1f);
-            FloatW fromMiddle = FloatW.MultiplyAdd(x, x, FloatW.MultiplyAdd(y, y, z * z));
-            FloatW amount = FloatW.NegatedMultiplyAdd(Falloff, fromMiddle, Turbulent ? noise : FloatW.MultiplyAdd(noise, 0.5f, 0.5f));
-            FloatW.Max(0f, FloatW.Min((amount - Threshold) * (1 / (1 - Threshold)), 1f)).Store(lanes);
-            new Span<float>(lanes, int.Min(FloatW.Count, row.Length - i)).CopyTo(row[i..]);
-        }
+        FloatW noise = GradientNoise.Sum(place * Scale, (uint)Seed, Octaves, Gain, Turbulent);
+        FloatW x = FloatW.MultiplyAdd(unit.X, 2f, -1f);
+        FloatW y = (2f * unit.Y) - 1f;
+        FloatW z = (2f * unit.Z) - 1f;
+        FloatW fromMiddle = FloatW.MultiplyAdd(x, x, FloatW.MultiplyAdd(y, y, z * z));
+        FloatW amount = FloatW.NegatedMultiplyAdd(Falloff, fromMiddle, Turbulent ? noise : FloatW.MultiplyAdd(noise, 0.5f, 0.5f));
+        density = FloatW.Max(0f, FloatW.Min((amount - Threshold) * (1 / (1 - Threshold)), 1f));
     }
 }

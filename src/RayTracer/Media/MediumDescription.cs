@@ -28,13 +28,17 @@ public sealed record MediumDescription
     [Parameter("As density, but made by noise instead of read from a file.")]
     public DensityNoiseDescription? Noise { get; init; }
 
+    /// <summary>A cumulus cloud by which the extinction is multiplied; null for none.</summary>
+    [Parameter("As density, but a cumulus cloud made by noise.")]
+    public CloudDescription? Cloud { get; init; }
+
     /// <summary>Factors on the albedo, where the density varies; null for none.</summary>
-    [Parameter("Numbers by which the albedo is multiplied, from a file; only together with density or noise.")]
+    [Parameter("Numbers by which the albedo is multiplied, from a file; only where the density varies.")]
     public GridDescription? AlbedoGrid { get; init; }
 
     /// <summary>The light that the medium sends itself; black for none.</summary>
     [Parameter("The light that the medium sends in all directions: radiance for each unit of length where the density is 1. It is multiplied by the density, or by the emission grid; only together with "
-        + "density or noise.", Unit = "power per area, steradian and scene unit", Minimum = 0)]
+        + "density, noise or cloud.", Unit = "power per area, steradian and scene unit", Minimum = 0)]
     public Rgb Emission { get; init; }
 
     /// <summary>Factors on the emission; null for those of the density.</summary>
@@ -45,14 +49,15 @@ public sealed record MediumDescription
     /// <param name="builder">Gives access to files and takes diagnostics.</param>
     public Medium? Build(SceneBuilder builder)
     {
-        if (Density is not null && Noise is not null)
+        bool varies = (Density ?? Noise ?? (object?)Cloud) is not null;
+        if (new object?[] { Density, Noise, Cloud }.Count(d => d is not null) > 1)
         {
-            builder.Error(this, nameof(Noise), "a medium has density from a file or noise, but not both");
+            builder.Error(this, Cloud is null ? nameof(Noise) : nameof(Cloud), "a medium has one density: from a file, of noise, or of a cloud");
         }
 
-        if (AlbedoGrid is not null && Density is null && Noise is null)
+        if (AlbedoGrid is not null && !varies)
         {
-            builder.Error(this, nameof(AlbedoGrid), "the albedo varies only where the density does: add \"density\" or \"noise\"");
+            builder.Error(this, nameof(AlbedoGrid), "the albedo varies only where the density does: add \"density\", \"noise\" or \"cloud\"");
         }
 
         if (EmissionGrid is not null && Emission.IsBlack)
@@ -60,12 +65,12 @@ public sealed record MediumDescription
             builder.Error(this, nameof(EmissionGrid), "the numbers are factors on the \"emission\", which is black");
         }
 
-        if (!Emission.IsBlack && Density is null && Noise is null)
+        if (!Emission.IsBlack && !varies)
         {
-            builder.Error(this, nameof(Emission), "a medium shines only where its density varies: add \"density\" or \"noise\"");
+            builder.Error(this, nameof(Emission), "a medium shines only where its density varies: add \"density\", \"noise\" or \"cloud\"");
         }
 
-        PlacedGrid? density = Density?.Build(builder) ?? Noise?.Build(builder);
+        PlacedGrid? density = Density?.Build(builder) ?? Noise?.Build(builder) ?? Cloud?.Build(builder);
         PlacedGrid? albedo = AlbedoGrid?.Build(builder);
         PlacedGrid? emission = EmissionGrid?.Build(builder);
         return Extinction.IsBlack && Emission.IsBlack ? null : new(Extinction, Albedo, Anisotropy)

@@ -142,6 +142,9 @@ public sealed class Scene
     /// <summary>Helps to choose the directions of paths; null for none.</summary>
     internal PathGuide? Guide { get; }
 
+    /// <summary>The names of all that it shows.</summary>
+    internal MatteNames Names => field ??= new(this);
+
     /// <summary>True where something stands for a thing of a photograph, which pictures with alpha leave out (<see cref="MatteRole"/>).</summary>
     internal bool HasMattes => Array.Exists(Groups, static g => g.Traits.Matte != MatteRole.None);
 

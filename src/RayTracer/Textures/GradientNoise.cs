@@ -16,7 +16,15 @@ internal static class GradientNoise
     /// <summary>One octave of noise.</summary>
     /// <param name="p">The points.</param>
     /// <param name="seed">Selects the function.</param>
-    public static FloatW Perlin(in Vec3W p, uint seed)
+    public static FloatW Perlin(in Vec3W p, uint seed) => Between<Hashed>(p, seed);
+
+    /// <summary>One octave of noise by Perlin's table, with the gradients that pbrt gives it: it repeats after 256 units.</summary>
+    /// <param name="p">The points.</param>
+    public static FloatW Tabled(in Vec3W p) => Between<Permuted>(p, 0);
+
+    // Between the slopes at the eight corners of a cell.
+    private static FloatW Between<TSlopes>(in Vec3W p, uint seed)
+        where TSlopes : ISlopes
     {
         Split(p.X, out UIntW x0, out UIntW x1, out FloatW x);
         Split(p.Y, out UIntW y0, out UIntW y1, out FloatW y);
@@ -24,12 +32,12 @@ internal static class GradientNoise
         FloatW sx = Fade(x);
         FloatW sy = Fade(y);
         FloatW near = Mix(
-            Mix(Slope(x0, y0, z0, seed, x, y, z), Slope(x1, y0, z0, seed, x - 1f, y, z), sx),
-            Mix(Slope(x0, y1, z0, seed, x, y - 1f, z), Slope(x1, y1, z0, seed, x - 1f, y - 1f, z), sx),
+            Mix(TSlopes.At(x0, y0, z0, seed, x, y, z), TSlopes.At(x1, y0, z0, seed, x - 1f, y, z), sx),
+            Mix(TSlopes.At(x0, y1, z0, seed, x, y - 1f, z), TSlopes.At(x1, y1, z0, seed, x - 1f, y - 1f, z), sx),
             sy);
         FloatW far = Mix(
-            Mix(Slope(x0, y0, z1, seed, x, y, z - 1f), Slope(x1, y0, z1, seed, x - 1f, y, z - 1f), sx),
-            Mix(Slope(x0, y1, z1, seed, x, y - 1f, z - 1f), Slope(x1, y1, z1, seed, x - 1f, y - 1f, z - 1f), sx),
+            Mix(TSlopes.At(x0, y0, z1, seed, x, y, z - 1f), TSlopes.At(x1, y0, z1, seed, x - 1f, y, z - 1f), sx),
+            Mix(TSlopes.At(x0, y1, z1, seed, x, y - 1f, z - 1f), TSlopes.At(x1, y1, z1, seed, x - 1f, y - 1f, z - 1f), sx),
             sy);
         return Mix(near, far, Fade(z));
     }
@@ -81,15 +89,68 @@ internal static class GradientNoise
 
     private static FloatW Mix(FloatW a, FloatW b, FloatW t) => FloatW.MultiplyAdd(b - a, t, a);
 
-    // The product of a point of the grid's gradient, one of the twelve to the middles of a cube's edges (four of them twice), with the way
-    // from there.
-    [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    private static FloatW Slope(UIntW i, UIntW j, UIntW k, uint seed, FloatW x, FloatW y, FloatW z)
+    // The product of the gradient of a point of the grid with the way from there.
+    private interface ISlopes
     {
-        UIntW hash = Hash.Mix(Hash.Mix(i | (j << 16)) + (k * Hash.Golden) + (seed * 0x85EBCA6Bu)) >> 28;
-        FloatW a = (hash < 8u).Select(x, y);
-        MaskW takesX = UIntW.Equal(hash & 13u, 12u);
-        FloatW b = (hash < 4u).Select(y, takesX.Select(x, z));
-        return (a.AsUInt() ^ (hash << 31)).AsFloat() + (b.AsUInt() ^ ((hash >> 1) << 31)).AsFloat();
+        static abstract FloatW At(UIntW i, UIntW j, UIntW k, uint seed, FloatW x, FloatW y, FloatW z);
+    }
+
+    // The gradient is one of the twelve to the middles of a cube's edges (four of them twice).
+    private readonly struct Hashed : ISlopes
+    {
+        [MethodImpl(MethodImplOptions.AggressiveInlining)]
+        public static FloatW At(UIntW i, UIntW j, UIntW k, uint seed, FloatW x, FloatW y, FloatW z)
+        {
+            UIntW hash = Hash.Mix(Hash.Mix(i | (j << 16)) + (k * Hash.Golden) + (seed * 0x85EBCA6Bu)) >> 28;
+            FloatW a = (hash < 8u).Select(x, y);
+            MaskW takesX = UIntW.Equal(hash & 13u, 12u);
+            FloatW b = (hash < 4u).Select(y, takesX.Select(x, z));
+            return Signed(hash, a, b);
+        }
+    }
+
+    private readonly unsafe struct Permuted : ISlopes
+    {
+        [MethodImpl(MethodImplOptions.AggressiveInlining)]
+        public static FloatW At(UIntW i, UIntW j, UIntW k, uint seed, FloatW x, FloatW y, FloatW z)
+        {
+            uint* table = PermutationTable.Numbers;
+            UIntW hash = UIntW.Gather(table, i & 255u);
+            hash = UIntW.Gather(table, (hash + j) & 255u);
+            hash = UIntW.Gather(table, (hash + k) & 255u) & 15u;
+            MaskW takesXY = UIntW.Equal(hash & 14u, 12u);
+            FloatW a = ((hash < 8u) | takesXY).Select(x, y);
+            FloatW b = ((hash < 4u) | takesXY).Select(y, z);
+            return Signed(hash, a, b);
+        }
+    }
+
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    private static FloatW Signed(UIntW hash, FloatW a, FloatW b) =>
+        (a.AsUInt() ^ (hash << 31)).AsFloat() + (b.AsUInt() ^ ((hash >> 1) << 31)).AsFloat();
+}
+
+/// <summary>The numbers from 0 to 255 as Perlin has shuffled them (Improving noise, 2002, its reference implementation).</summary>
+internal static unsafe class PermutationTable
+{
+    private static readonly PinnedBuffer<uint> s_memory = Read();
+
+    /// <summary>The 256 numbers.</summary>
+    public static uint* Numbers { get; } = s_memory.Pointer;
+
+    private static PinnedBuffer<uint> Read()
+    {
+        byte[] numbers = Convert.FromHexString(
+            "97A0895B5A0F830DC95F6035C2E907E18C24671E458E086325F0150A17BE0694F778EA4B001AC53E5EFCDBCB75230B2039B12158ED953857AE147D88ABA844AF"
+            + "4AA547868B301BA64D929EE7536FE57A3CD385E6DC695C29372EF528F4668F3641193FA101D85049D14C84BBD05912A9C8C4878274BC9F56A4646DC6ADBA0340"
+            + "34D9E2FA7C7B05CA2693767EFF5255D4CFCE3BE32F103A11B6BD1C2ADFB7AAD577F898022C9AA346DD99659BA72BAC09811627FD13626C6E4F71E0E8B2B97068"
+            + "DAF661E4FB22F2C1EED2900CBFB3A2F1513391EBF90EEF6B31C0D61FB5C76A9DB854CCB07379322D7F0496FE8AECCD5DDE72431D1848F38D80C34E42D73D9CB4");
+        PinnedBuffer<uint> memory = new(numbers.Length);
+        for (int i = 0; i < numbers.Length; i++)
+        {
+            memory.Pointer[i] = numbers[i];
+        }
+
+        return memory;
     }
 }

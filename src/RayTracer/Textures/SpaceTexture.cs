@@ -30,36 +30,25 @@ public abstract record SpaceTextureDescription : TextureDescription
 }
 
 /// <summary>The coordinates that a texture in space uses.</summary>
-/// <param name="Space">Whose coordinates are used.</param>
-/// <param name="Transform">The transform of the texture within them.</param>
-internal readonly record struct TexturePlace(TextureSpace Space, Transform Transform);
-
-/// <summary>A texture that fills space: what a surface cuts out of a block.</summary>
-/// <param name="place">The place of the texture.</param>
-/// <param name="first">The texture where its amount is 0.</param>
-/// <param name="second">The texture where its amount is 1.</param>
-internal abstract class SpaceTexture(TexturePlace place, Texture first, Texture second)
-    : BlendTexture(place.Space == TextureSpace.World ? TextureInputs.WorldPoint : TextureInputs.ObjectPoint, first, second)
+/// <param name="space">Whose coordinates are used.</param>
+/// <param name="transform">The transform of the texture within them.</param>
+internal sealed class TexturePlace(TextureSpace space, Transform transform)
 {
-    private readonly bool _isMoved = !place.Transform.IsIdentity;
-    private readonly float[] _back = Rows(place.Transform.Inverse());
+    private readonly bool _isMoved = !transform.IsIdentity;
+    private readonly float[] _back = Rows(transform.Inverse());
 
-    /// <inheritdoc/>
-    protected sealed override void Amount(in TexturePointW at, out FloatW amount)
+    /// <summary>What must be known of points.</summary>
+    public TextureInputs Inputs { get; } = space == TextureSpace.World ? TextureInputs.WorldPoint : TextureInputs.ObjectPoint;
+
+    /// <summary>Points in the texture's own coordinates.</summary>
+    public void Find(in TexturePointW at, out Vec3W point)
     {
-        Vec3W point = place.Space == TextureSpace.World ? at.World : at.Local;
+        point = space == TextureSpace.World ? at.World : at.Local;
         if (_isMoved)
         {
             point = new(Row(0, point), Row(4, point), Row(8, point));
         }
-
-        Amount(point, out amount);
     }
-
-    /// <summary>The weight of the second texture, from 0 to 1.</summary>
-    /// <param name="point">The points, in the texture's own coordinates.</param>
-    /// <param name="amount">The amount.</param>
-    protected abstract void Amount(in Vec3W point, out FloatW amount);
 
     private static float[] Rows(in Transform map) =>
     [
@@ -69,4 +58,23 @@ internal abstract class SpaceTexture(TexturePlace place, Texture first, Texture 
 
     private FloatW Row(int i, in Vec3W p) =>
         FloatW.MultiplyAdd(p.X, _back[i], FloatW.MultiplyAdd(p.Y, _back[i + 1], FloatW.MultiplyAdd(p.Z, _back[i + 2], _back[i + 3])));
+}
+
+/// <summary>A texture that fills space: what a surface cuts out of a block.</summary>
+/// <param name="place">The place of the texture.</param>
+/// <param name="first">The texture where its amount is 0.</param>
+/// <param name="second">The texture where its amount is 1.</param>
+internal abstract class SpaceTexture(TexturePlace place, Texture first, Texture second) : BlendTexture(place.Inputs, first, second)
+{
+    /// <inheritdoc/>
+    protected sealed override void Amount(in TexturePointW at, out FloatW amount)
+    {
+        place.Find(at, out Vec3W point);
+        Amount(point, out amount);
+    }
+
+    /// <summary>The weight of the second texture, from 0 to 1.</summary>
+    /// <param name="point">The points, in the texture's own coordinates.</param>
+    /// <param name="amount">The amount.</param>
+    protected abstract void Amount(in Vec3W point, out FloatW amount);
 }

@@ -20,6 +20,11 @@ public class PbrtMutationTests
         AttributeBegin Attribute "shape" "float alpha" 0.5 Translate 1 0 0 Rotate 30 0 1 0 Shape "disk" "float innerradius" 0.2 ReverseOrientation Shape "cylinder" "float phimax" 20 AttributeEnd
         ObjectBegin "o" Shape "sphere" "float zmax" 0.5 "float phimax" 30 ObjectEnd ObjectInstance "o" # comment
         AttributeBegin MediumInterface "fog" "" Material "interface" Shape "sphere" AttributeEnd
+        Texture "noise" "float" "fbm" "integer octaves" 3 Texture "dots" "spectrum" "dots" "rgb inside" [1 0 0]
+        MakeNamedMedium "dye" "string type" "rgbgrid" "integer nx" 2 "rgb sigma_a" [1 2 3 4 5 6] MakeNamedMedium "cloud" "string type" "cloud" "float wispiness" 0.5
+        AttributeBegin TransformTimes 0 1 ActiveTransform EndTime Translate 1 0 0 ActiveTransform All Material "coatedconductor" "float conductor.roughness" 0.1
+        Shape "curve" "string basis" "bspline" "point3 P" [0 0 0 1 0 0 0 1 0 1 1 0 2 0 1] "float width" 0.1
+        Shape "curve" "string type" "ribbon" "integer degree" 2 "point3 P" [0 0 0 1 0 0 0 1 0] "normal N" [0 0 1 0 1 0] AttributeEnd
         Material "coateddiffuse" "float thickness" 0.02 AreaLightSource "diffuse" "rgb L" [1 2 3] "float power" 2
         Shape "trianglemesh" "point3 P" [0 0 0 1 0 0 0 1 0 1 1 0] "integer indices" [0 1 2 1 3 2] "normal N" [0 0 1 0 0 1 0 0 1 0 0 1] "point2 uv" [0 0 1 0 0 1 1 1]
         """;

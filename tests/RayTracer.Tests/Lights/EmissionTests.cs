@@ -55,6 +55,8 @@ public class EmissionTests
         ["moving torus"] = ("""{ "type": "instance", "of": { "type": "torus", "center": [0, 0, 0.1], "axis": [0.8, 1, 0.4], "radius": 0.8, "tubeRadius": 0.35, SHINES }, MOVING }""", null),
         ["point"] = ("""{ "type": "point", "position": [0.3, 0.2, 1], "intensity": [1, 2, 3] }""", 8 * Math.PI),
         ["moving point"] = ("""{ "type": "group", "shapes": [{ "type": "point", "position": [0.3, 0.2, 1], "intensity": [1, 2, 3] }], MOVING }""", 8 * Math.PI),
+        ["point with a picture"] = ("""{ "type": "point", "position": [0.3, 0.2, 1], "intensity": [1, 2, 3], "picture": { "type": "checker", "scale": [4, 2], "even": [1, 1, 1], "odd": [0.2, 0.2, 0.2] } }""", 8 * Math.PI * 0.6),
+        ["turning point with a picture"] = ("""{ "type": "group", "shapes": [{ "type": "point", "intensity": [1, 2, 3], "mapping": "octahedral", "picture": { "type": "checker", "scale": [4, 2], "even": [1, 1, 1], "odd": [0.2, 0.2, 0.2] } }], MOVING }""", 8 * Math.PI * 0.6),
         ["spot"] = ("""{ "type": "spot", "position": [0.3, 0.2, 1], "direction": [1, -2, 0.5], "intensity": [1, 2, 3], "cutoffAngle": 60, "beamWidth": 20 }""", Spot(60, 20, false)),
         ["smooth spot"] = ("""{ "type": "spot", "position": [0.3, 0.2, 1], "direction": [1, -2, 0.5], "intensity": [1, 2, 3], "cutoffAngle": 60, "beamWidth": 20, "falloff": "smooth" }""", Spot(60, 20, true)),
         ["sharp spot"] = ("""{ "type": "spot", "position": [0.3, 0.2, 1], "direction": [1, -2, 0.5], "intensity": [1, 2, 3], "cutoffAngle": 40, "beamWidth": 40 }""", Spot(40, 40, false)),

@@ -33,6 +33,7 @@ public class EnvironmentTests
         ["mirrored picture"] = new ImageEnvironmentDescription { Picture = Noise(7, 6, 2), Transform = [new() { Scale = new(-2, 2, 2), Rotate = 20 }] },
         ["picture with a bright spot"] = new ImageEnvironmentDescription { Picture = Spot(32, 17) },
         ["picture bright at a pole"] = new ImageEnvironmentDescription { Picture = Pole() },
+        ["octahedral picture"] = new ImageEnvironmentDescription { Picture = Noise(9, 9, 4), Mapping = DirectionMapping.Octahedral, Transform = s_turned },
         ["picture of one pixel"] = new ImageEnvironmentDescription { Picture = new(1, 1, [1, 2, 3]) },
         ["picture of one row"] = new ImageEnvironmentDescription { Picture = Noise(8, 1, 1) },
         ["sky"] = new SkyEnvironmentDescription { SunSize = 100, SunElevation = 50, Transform = s_turned },

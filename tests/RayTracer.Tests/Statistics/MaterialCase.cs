@@ -91,6 +91,10 @@ internal sealed record MaterialCase(string Name, Material Material)
         new("deep plastic", new PlasticMaterial(new UvTexture(), 1.3f, true, Solid(1))) { AlbedoTolerance = MeanOfTwo },
         new("white rough plastic", new RoughPlasticMaterial(Solid(1), 1.5f, true, Solid(1), MicrofacetDistribution.Ggx, 0.1f)) { Exponent = 100 },
         new("rough plastic", new RoughPlasticMaterial(new UvTexture(), 1.49f, false, Solid(1), MicrofacetDistribution.Beckmann, 0.3f)) { Exponent = 10 },
+        new("lacquered mirror", Lacquered(MetalName.None, 0, 0, Rgb.Black)) { Albedo = Rgb.White, AlbedoTolerance = MeanOfTable },
+        new("lacquered copper", Lacquered(MetalName.Copper, 0, 0, new(0.1f, 0.3f, 0.6f))),
+        new("lacquered brass", Lacquered(MetalName.Gold, 0.3f, 0, Rgb.Black)) { Exponent = 1, MeanTolerance = MeanOfTails },
+        new("candy paint", Lacquered(MetalName.Aluminium, 0.2f, 0.1f, new(0.1f, 0.3f, 0.6f))) { Exponent = 50, MeanTolerance = MeanOfTails },
         new("one-sided plastic", new OneSidedMaterial(new PlasticMaterial(Solid(0.5f), 1.5f, true, Solid(1)))) { SeenFromBehind = false },
         new("holdout", new MatteMaterial(Diffuse(0.2f, 0.5f, 0.8f), MatteRole.Holdout)),
         new("white shadow catcher", new MatteMaterial(Diffuse(1, 1, 1), MatteRole.ShadowCatcher)) { Albedo = Rgb.White },
@@ -139,6 +143,9 @@ internal sealed record MaterialCase(string Name, Material Material)
     private const double MeanOfTails = 4e-4;
 
     private static SolidTexture Solid(float value) => new(new(value, value, value));
+
+    private static CoatedConductorMaterial Lacquered(MetalName metal, float alpha, float coatAlpha, Rgb absorption) =>
+        new(new ConductorFresnel(metal, 1.5f), alpha, new(coatAlpha, 1.5f, absorption), Solid(1));
 
     private static Roughness RoughnessOf(MicrofacetDistribution distribution, float alphaU, float alphaV) => new(distribution, Solid(alphaU), Solid(alphaV));
 

@@ -28,6 +28,28 @@ public class GradientNoiseTests
         }
     }
 
+    // By the rules of pbrt's: of sixteen numbers of a corner, the lowest two are signs, and the others say along which two axes.
+    [Fact]
+    public void Noise_by_the_table_is_that_of_pbrt()
+    {
+        Random random = new(TestSettings.Seed);
+        for (int i = 0; i < 2000; i++)
+        {
+            double size = Math.Pow(10, random.Next(-1, 4));
+            (float x, float y, float z) = (Number(random, size), Number(random, size), Number(random, size));
+            Assert.Equal(Tabled(x, y, z), GradientNoise.Tabled(new Vec3W(x, y, z))[0], 2e-6);
+        }
+    }
+
+    [Fact]
+    public void The_table_holds_each_number_once_and_begins_and_ends_as_Perlins()
+    {
+        uint[] all = [.. Enumerable.Range(0, 256).Select(Entry)];
+        Assert.Equal(Enumerable.Range(0, 256).Select(i => (uint)i), all.Order());
+        Assert.Equal([151u, 160, 137, 91, 90, 15], all[..6]);
+        Assert.Equal([78u, 66, 215, 61, 156, 180], all[^6..]);
+    }
+
     [Fact]
     public void Noise_vanishes_on_the_grid_and_is_smooth_across_its_planes()
     {
@@ -98,6 +120,26 @@ public class GradientNoiseTests
 
         return sum;
     }
+
+    private static double Tabled(float x, float y, float z)
+    {
+        (double i, double j, double k) = (Math.Floor(x), Math.Floor(y), Math.Floor(z));
+        double sum = 0;
+        for (int corner = 0; corner < 8; corner++)
+        {
+            (int a, int b, int c) = (corner & 1, (corner >> 1) & 1, corner >> 2);
+            (double dx, double dy, double dz) = (x - i - a, y - j - b, z - k - c);
+            uint hash = Entry(Wrapped(k + c) + (int)Entry(Wrapped(j + b) + (int)Entry(Wrapped(i + a)))) & 15;
+            (double first, double second) = hash is 12 or 13 ? (dx, dy) : (hash < 8 ? dx : dy, hash < 4 ? dy : dz);
+            sum += (((hash & 1) != 0 ? -first : first) + ((hash & 2) != 0 ? -second : second)) * Weight(dx) * Weight(dy) * Weight(dz);
+        }
+
+        return sum;
+    }
+
+    private static int Wrapped(double i) => (int)(i - (256 * Math.Floor(i / 256)));
+
+    private static unsafe uint Entry(int i) => PermutationTable.Numbers[i & 255];
 
     private static uint Grid(double i) => (uint)(i - (65536 * Math.Floor(i / 65536)));
 

@@ -47,7 +47,7 @@ internal sealed unsafe class InstanceTable
         (_smallSpaces, _spaces) = spaces.Length <= ushort.MaxValue ? ([.. shown.Select(s => (ushort)s)], null) : (default(ushort[]), shown);
         _motions = instances.Any(i => !i.Motion.IsStill) ? [.. instances.Select(i => i.Motion.IsStill ? null : i.Motion)] : [];
         _sources = instances[0].Source is null ? [] : [.. instances.Select(i => i.Source)];
-        _labels = instances.Any(i => i.Label is not null && spaces[index[i.Contents]].Shines) ? [.. instances.Select(i => i.Label)] : [];
+        _labels = instances.Any(i => i.Label is not null) ? [.. instances.Select(i => i.Label)] : [];
         float[] boxes = new float[6L * Count];
         for (int i = 0; i < Count; i++)
         {

@@ -87,12 +87,16 @@ internal sealed class Space
         return index < Shapes.Length ? Shapes[index].Material : MaterialOfTriangle[index - Shapes.Length];
     }
 
-    /// <summary>Returns the description that a primitive of the space was made from; null where that is not kept.</summary>
-    public ShapeDescription? SourceOf(int primitive)
+    /// <summary>Returns the number of the shape that a primitive of the space is, or, further on, of the mesh that it is a triangle of.</summary>
+    public int SurfaceOf(int primitive)
     {
         int index = primitive - FirstPrimitive;
-        return index < Shapes.Length ? Shapes[index].Source : Contents.Meshes[((TriangleMaterials)MaterialOfTriangle).MeshOf(index - Shapes.Length)].Source;
+        return index < Shapes.Length ? index : Shapes.Length + ((TriangleMaterials)MaterialOfTriangle).MeshOf(index - Shapes.Length);
     }
+
+    /// <summary>Returns the description that a primitive of the space was made from; null where that is not kept.</summary>
+    public ShapeDescription? SourceOf(int primitive) =>
+        SurfaceOf(primitive) is var i && i < Shapes.Length ? Shapes[i].Source : Contents.Meshes[i - Shapes.Length].Source;
 
     /// <summary>The material of each triangle.</summary>
     public IReadOnlyList<Material> MaterialOfTriangle => field ??= new TriangleMaterials(Contents.Meshes);

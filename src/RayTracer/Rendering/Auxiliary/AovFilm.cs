@@ -15,6 +15,7 @@ public sealed class AovFilm
     private const double OrdinaryLimit = 16384;
     private readonly Film _film;
     private readonly (FirstHitImage Image, Int128[] Sums)[] _traced;
+    private readonly (CryptomatteImage Image, MatteCounts Counts)[] _mattes;
     private readonly uint[] _counts;
     private readonly uint[] _hits;
     private readonly int _mostLetters;
@@ -28,6 +29,7 @@ public sealed class AovFilm
         Images = [.. images.Distinct()];
         long pixels = (long)film.Width * film.Height;
         _traced = [.. Images.OfType<FirstHitImage>().Select(image => (image, new Int128[checked(pixels * image.Letters.Length)]))];
+        _mattes = [.. Images.OfType<CryptomatteImage>().Select(image => (image, new MatteCounts(pixels)))];
         _counts = new uint[NeedsRays ? pixels : 0];
         _hits = new uint[_traced.Any(t => t.Image.Mean == MeanOver.Hits) ? pixels : 0];
         _mostLetters = _traced.Max(t => (int?)t.Image.Letters.Length) ?? 0;
@@ -44,14 +46,21 @@ public sealed class AovFilm
     public int Height => _film.Height;
 
     /// <summary>True where rays must be traced for them.</summary>
-    internal bool NeedsRays => _traced.Length > 0;
+    internal bool NeedsRays => _traced.Length > 0 || HasMattes;
+
+    /// <summary>True where there are Cryptomattes.</summary>
+    internal bool HasMattes => _mattes.Length > 0;
+
+    /// <summary>The names of what Cryptomattes show, once rays are traced.</summary>
+    internal MatteNames? Names { get; set; }
 
     /// <summary>The parts of hits that they need.</summary>
     internal FirstHitParts Needs { get; }
 
     /// <summary>Memory in bytes of images of a size.</summary>
     public static long Bytes(IReadOnlyCollection<AuxiliaryImage> images, int width, int height) =>
-        (long)width * height * images.OfType<FirstHitImage>().Aggregate(0L, (sum, image) => long.Max(sum, 8) + (16 * image.Letters.Length));
+        ((long)width * height * images.OfType<FirstHitImage>().Aggregate(0L, (sum, image) => long.Max(sum, 8) + (16 * image.Letters.Length)))
+        + (images.OfType<CryptomatteImage>().Count() * MatteCounts.Bytes((long)width * height));
 
     /// <summary>Returns whether there is an image.</summary>
     public bool Has(AuxiliaryImage image) => Images.Contains(image);
@@ -60,6 +69,7 @@ public sealed class AovFilm
     public void Clear()
     {
         Array.ForEach(_traced, t => Array.Clear(t.Sums));
+        Array.ForEach(_mattes, m => m.Counts.Clear());
         Array.Clear(_hits);
         Array.Clear(_counts);
     }
@@ -79,12 +89,26 @@ public sealed class AovFilm
             {
                 ofFilm.Read(_film, x, y, at);
             }
+            else if (image is CryptomatteImage matte)
+            {
+                Counts(matte).Show(((long)y * Width) + x, _counts[((long)y * Width) + x], at);
+            }
             else
             {
                 ReadMean((FirstHitImage)image, sums!, ((long)y * Width) + x, at);
             }
         }
     }
+
+    /// <summary>What covers most of a pixel, by the number of its name, with the part that it covers.</summary>
+    internal IEnumerable<(uint Id, double Part)> Covering(CryptomatteImage image, int x, int y)
+    {
+        long pixel = ((long)y * Width) + x;
+        return Counts(image).Of(pixel).Select(s => (s.Id, (double)s.Count / _counts[pixel]));
+    }
+
+    /// <summary>The names of all that a Cryptomatte shows, by their numbers.</summary>
+    internal IEnumerable<(string Name, uint Id)> Shown(CryptomatteImage image) => Counts(image).Ids().Select(id => (Names!.NameOf(id), id));
 
     /// <summary>Counts a sample of a pixel.</summary>
     internal void Count(long pixel, bool isHit)
@@ -99,6 +123,14 @@ public sealed class AovFilm
     /// <summary>Adds a sample to the images that need the surface described, or to the others; one that meets nothing, to all.</summary>
     internal void Add(long pixel, in FirstHit hit, bool isDescribed)
     {
+        if (HasMattes && hit.Primitive > 0 && !isDescribed)
+        {
+            foreach ((CryptomatteImage image, MatteCounts counts) in _mattes)
+            {
+                counts.Add(pixel, Names!.Of(image.Kind, (int)hit.Primitive - 1, (int)hit.Instance));
+            }
+        }
+
         Span<double> values = stackalloc double[_mostLetters];
         foreach ((FirstHitImage image, Int128[] sums) in _traced)
         {
@@ -124,9 +156,12 @@ public sealed class AovFilm
     internal byte[] Content() =>
     [
         .. _traced.SelectMany(t => MemoryMarshal.AsBytes<Int128>(t.Sums).ToArray()),
+        .. _mattes.SelectMany(m => Enumerable.Range(0, Width * Height).SelectMany(p => m.Counts.Of(p)).SelectMany(s => BitConverter.GetBytes(((ulong)s.Id << 32) | s.Count))),
         .. MemoryMarshal.AsBytes<uint>(_hits),
         .. MemoryMarshal.AsBytes<uint>(_counts),
     ];
+
+    private MatteCounts Counts(CryptomatteImage image) => Array.Find(_mattes, m => m.Image == image).Counts;
 
     private void ReadMean(FirstHitImage image, Int128[] sums, long pixel, Span<double> values)
     {

@@ -20,6 +20,8 @@ public abstract record AuxiliaryImage
         new UvImage(),
         new MotionImage(),
         new PrimitiveImage(),
+        new CryptomatteImage(CryptomatteKind.Object),
+        new CryptomatteImage(CryptomatteKind.Material),
         new BvhCostImage(),
         new SamplesImage(),
         new ErrorImage());

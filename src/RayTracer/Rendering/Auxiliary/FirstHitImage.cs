@@ -30,6 +30,9 @@ public readonly record struct FirstHit
     /// <summary>The number, from 1, of the shape or triangle that is met; 0 where nothing is.</summary>
     public uint Primitive { get; init; }
 
+    /// <summary>The instance that shows it; 0 for none.</summary>
+    public uint Instance { get; init; }
+
     /// <summary>The distance along the ray, in scene units.</summary>
     public float Distance { get; init; }
 

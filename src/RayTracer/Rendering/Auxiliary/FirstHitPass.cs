@@ -31,6 +31,7 @@ public sealed class FirstHitPass(Scene scene, RenderOptions? options = null)
             return;
         }
 
+        film.Names = film.HasMattes ? scene.Names : null;
         Tile area = _options.Crop ?? new(0, 0, film.Width, film.Height);
         SampleRange samples = _options.Samples ?? new(0, scene.Render.SamplesPerPixel);
         int edge = _options.TileSize > 0 ? _options.TileSize : LargestTile;

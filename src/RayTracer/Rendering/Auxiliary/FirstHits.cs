@@ -166,6 +166,7 @@ internal sealed unsafe class FirstHits
     private FirstHit Hit(int ray, out long pixel)
     {
         FirstHit hit = Hit(_rays, ray, _tile, _samples, _film.Width, out pixel);
-        return hit with { Primitive = hit.Primitive > _scene.World.Count ? 0 : hit.Primitive, Cost = _costs[ray] };
+        uint instance = _scene.World.Instances is null ? 0 : _rays.Instance[ray];
+        return hit with { Primitive = hit.Primitive > _scene.World.Count ? 0 : hit.Primitive, Instance = instance, Cost = _costs[ray] };
     }
 }

@@ -35,11 +35,13 @@ public sealed record PrimitiveImage : FirstHitImage
     public override string Legend(NumberRange range) => "a colour for each shape or triangle; black where nothing is hit";
 
     /// <inheritdoc/>
-    public override (double R, double G, double B) Show(ReadOnlySpan<double> values, NumberRange range)
+    public override (double R, double G, double B) Show(ReadOnlySpan<double> values, NumberRange range) =>
+        values[0] > 0 ? ColorOf(Hash.Mix((uint)values[0])) : default;
+
+    /// <summary>A colour of random bits, never so dark that it looks like nothing.</summary>
+    internal static (double R, double G, double B) ColorOf(uint bits)
     {
-        // Never so dark that it looks like nothing.
-        uint bits = Hash.Mix((uint)values[0]);
         static double Channel(uint eight) => (30 + (225 * (eight & 0xff) / 255.0)) / 255;
-        return values[0] > 0 ? (Channel(bits), Channel(bits >> 8), Channel(bits >> 16)) : default;
+        return (Channel(bits), Channel(bits >> 8), Channel(bits >> 16));
     }
 }
