@@ -107,12 +107,6 @@ internal sealed class PbrtMedia(ImportReading reading, PbrtWorld world, float ex
             return Rgb.Black;
         }
 
-        if (!radiance.IsBlack && medium.Type == "homogeneous")
-        {
-            medium.Log.Unsupported(medium.PlaceOf("Le"), "even media that shine are not supported: grids are", "it does not shine");
-            radiance = Rgb.Black;
-        }
-
         return radiance * (medium.Float("Lescale", 1, 0) * exposure);
     }
 
