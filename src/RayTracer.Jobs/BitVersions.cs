@@ -1,5 +1,6 @@
 using RayTracer.Description;
 using RayTracer.Materials;
+using RayTracer.Media;
 using RayTracer.Shapes;
 
 namespace RayTracer.Jobs;
@@ -40,6 +41,8 @@ public static class BitVersions
         new("glTF models", 29, (_, records) => records.Any(r => r is ModelDescription { File: { } file }
             && (file.EndsWith(".gltf", StringComparison.OrdinalIgnoreCase) || file.EndsWith(".glb", StringComparison.OrdinalIgnoreCase)))),
         new("backgrounds in the light of the lamps", 30, (scene, _) => scene.Render.Integrator == Integrator.Light && !scene.Background.IsBlack),
+        new("media inside shapes, by path", 33, (scene, records) => scene.Render.Integrator == Integrator.Path && records.Any(
+            r => r is MediumDescription { Extinction.IsBlack: false })),
         new("skies", 18, (scene, _) => scene.Environment is { } sky && Name(sky) == "sky"),
     ];
 

@@ -59,6 +59,7 @@ internal sealed class MitsubaBsdfs(ImportReading reading, MitsubaTextures textur
         "plastic" or "roughplastic" => Sided(bsdf, _dielectrics.Plastic(bsdf), isTwoSided),
         "dielectric" or "thindielectric" or "roughdielectric" => _dielectrics.Read(bsdf),
         "principled" => Principled(bsdf, _wrappers.Principled(bsdf), isTwoSided),
+        "principledthin" => _wrappers.ThinPrincipled(bsdf),
         "twosided" => OfSides(Inner(bsdf, 1, 2, isTwoSided: true)),
         "mask" => new MaskMaterialDescription { Opacity = textures.Read(bsdf, "opacity", 0.5f), Material = Inner(bsdf, 1, 1, isTwoSided)[0] },
         "blendbsdf" => Mixed(textures.Read(bsdf, "weight", 0.5f), Inner(bsdf, 2, 2, isTwoSided)),
@@ -80,7 +81,7 @@ internal sealed class MitsubaBsdfs(ImportReading reading, MitsubaTextures textur
     {
         bsdf.UnknownType(
             "BSDFs", "diffuse", "conductor", "roughconductor", "plastic", "roughplastic", "dielectric", "thindielectric", "roughdielectric",
-            "principled", "twosided", "mask", "blendbsdf", "normalmap", "bumpmap", "null");
+            "principled", "principledthin", "twosided", "mask", "blendbsdf", "normalmap", "bumpmap", "null");
         return bsdf.Log.IsLenient ? Magenta : Standard;
     }
 

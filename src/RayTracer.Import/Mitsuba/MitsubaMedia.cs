@@ -20,7 +20,8 @@ internal static class MitsubaMedia
     /// <summary>The material of a shape with what is inside; the material itself where nothing is.</summary>
     /// <param name="shape">The shape.</param>
     /// <param name="material">The material of its surface.</param>
-    public static MaterialDescription Fill(MitsubaObject shape, MaterialDescription material)
+    /// <param name="isShown">True where the integrator shows media.</param>
+    public static MaterialDescription Fill(MitsubaObject shape, MaterialDescription material, bool isShown)
     {
         if (shape.Child("medium", "exterior") is { } outside)
         {
@@ -34,6 +35,12 @@ internal static class MitsubaMedia
         }
 
         MediumDescription medium = Read(inside);
+        if (!isShown)
+        {
+            shape.Log.Warn(inside.Place, "the scene's integrator shows no media: \"volpath\" and \"volpathmis\" do");
+            return material;
+        }
+
         if (FilledMaterials.Fill(material, medium) is { } filled)
         {
             return filled;
@@ -68,13 +75,15 @@ internal static class MitsubaMedia
 
         (Rgb extinction, GridDescription? density) = Volume(medium, "sigma_t", Rgb.White, float.PositiveInfinity);
         (Rgb albedo, GridDescription? albedos) = Volume(medium, "albedo", s_albedo, 1);
+        PhaseDescription phase = medium.Only("phase") is { } given ? MitsubaPhases.Read(given) : new();
         MediumDescription read = new()
         {
             Extinction = extinction * medium.Float("scale", 1, 0),
             Albedo = albedo,
             Density = density,
             AlbedoGrid = albedos,
-            Anisotropy = medium.Only("phase") is { } phase ? Anisotropy(phase) : 0,
+            Anisotropy = phase.Anisotropy,
+            Phase = phase.Shape == PhaseShape.HenyeyGreenstein ? null : phase,
         };
         if (density is not null && medium.Type == "homogeneous")
         {
@@ -90,12 +99,12 @@ internal static class MitsubaMedia
         return read;
     }
 
-    // A number or colour, and the grid that it is a factor on: a property, a constvolume or a gridvolume.
-    private static (Rgb Factor, GridDescription? Grid) Volume(MitsubaObject medium, string name, Rgb standard, float maximum)
+    /// <summary>A number or colour, and the grid that it is a factor on: a property, a constvolume or a gridvolume.</summary>
+    public static (Rgb Factor, GridDescription? Grid) Volume(MitsubaObject thing, string name, Rgb standard, float maximum)
     {
-        if (medium.Child("volume", name) is not { } volume)
+        if (thing.Child("volume", name) is not { } volume)
         {
-            return (MitsubaColors.Read(medium, name, standard, maximum: maximum), null);
+            return (MitsubaColors.Read(thing, name, standard, maximum: maximum), null);
         }
 
         if (volume.Type == "constvolume")
@@ -130,18 +139,5 @@ internal static class MitsubaMedia
         };
         volume.Finish();
         return grid;
-    }
-
-    private static float Anisotropy(MitsubaObject phase)
-    {
-        if (phase.Type is not ("isotropic" or "hg"))
-        {
-            phase.UnknownType("phase functions", "isotropic", "hg");
-            return 0;
-        }
-
-        float g = phase.Type == "hg" ? phase.Float("g", 0.8f, -0.99f, 0.99f) : 0;
-        phase.Finish();
-        return g;
     }
 }

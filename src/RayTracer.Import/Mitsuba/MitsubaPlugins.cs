@@ -19,15 +19,11 @@ internal static class MitsubaPlugins
         bsdf retarder: light has no polarisation here
         bsdf circular: light has no polarisation here
         bsdf pplastic: light has no polarisation here, and "roughplastic" is the same without
-        bsdf principledthin: "principled" is read, which is solid
         texture volume: volumes fill shapes only
         emitter sunsky: its sky is a table of numbers, which the native "sky" computes otherwise; a picture of it in an "envmap" is read
         emitter timed_sunsky: its sky is a table of numbers, which the native "sky" computes otherwise; a picture of it in an "envmap" is read
         emitter directionalarea: its light has no spread
-        phase blendphase: media scatter by Henyey and Greenstein's function alone
-        phase rayleigh: media scatter by Henyey and Greenstein's function alone
-        phase sggx: media scatter by Henyey and Greenstein's function alone
-        phase tabphase: media scatter by Henyey and Greenstein's function alone
+        phase sggx: media have no grain along which they would look different
         sensor batch: a scene has one camera
         sensor distant: its film is no picture
         sensor irradiancemeter: its film is no picture

@@ -28,6 +28,7 @@ internal sealed class MitsubaScene
         MitsubaObject[] bsdfs = [.. root.Children("bsdf")];
         MitsubaObject[] textures = [.. root.Children("texture")];
         MitsubaObject[] media = [.. root.Children("medium")];
+        MitsubaObject[] phases = [.. root.Children("phase")];
         SceneDescription scene = new();
         scene = scene with { Render = scene.Render with { Sampler = SamplerKind.Independent, Integrator = Integrator.Path, ShadingNormals = ShadingNormals.Literal } };
         if (root.Only("integrator") is { } integrator)
@@ -42,6 +43,7 @@ internal sealed class MitsubaScene
         Array.ForEach(bsdfs, b => _ = _bsdfs.Read(b));
         Array.ForEach(textures, t => _ = _textures.Read(t));
         Array.ForEach(media, m => _ = MitsubaMedia.Read(m));
+        Array.ForEach(phases, p => _ = MitsubaPhases.Read(p));
         root.Finish();
         return scene with { Shapes = shapes, Objects = _shapes.Groups, Materials = _bsdfs.Named, Textures = _textures.Named };
     }

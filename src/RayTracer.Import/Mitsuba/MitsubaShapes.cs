@@ -76,14 +76,20 @@ internal sealed class MitsubaShapes(ImportReading reading, MitsubaTextures textu
         }
 
         MaterialDescription material = Material(shape);
-        return shape.Type is "obj" or "ply" or "serialized" ? MitsubaMeshes.Read(shape, material, textures.AttributesOf(material)) : MitsubaSurfaces.Read(shape, material);
+        if (shape.Type is not ("obj" or "ply" or "serialized"))
+        {
+            return MitsubaSurfaces.Read(shape, material);
+        }
+
+        string[] attributes = textures.AttributesOf(material);
+        return MitsubaMeshes.Read(shape, attributes.Length > 1 ? textures.WithSecond(material, attributes[1]) : material, attributes);
     }
 
     private MaterialDescription Material(MitsubaObject shape)
     {
         MitsubaObject? emitter = shape.Only("emitter");
         MaterialDescription material = shape.Only("bsdf") is { } bsdf ? bsdfs.Read(bsdf) : emitter is null ? MitsubaBsdfs.Standard : MitsubaBsdfs.Black;
-        MaterialDescription filled = MitsubaMedia.Fill(shape, material);
+        MaterialDescription filled = MitsubaMedia.Fill(shape, material, bsdfs.IsVolumetric);
         return emitter is null ? filled : emitters.Area(emitter, filled);
     }
 }
@@ -97,9 +103,9 @@ internal static class MitsubaMeshes
     /// <param name="attributes">The names of the attributes that the material shows.</param>
     public static ShapeDescription? Read(MitsubaObject shape, MaterialDescription material, string[] attributes)
     {
-        if (attributes.Length > 1)
+        if (attributes.Length > 2)
         {
-            shape.Log.Unsupported(shape.Place, $"a mesh may show one of its attributes here, but this one shows {string.Join(" and ", attributes)}", "the first is shown");
+            shape.Log.Unsupported(shape.Place, $"a mesh may show two of its attributes here, but this one shows {string.Join(" and ", attributes)}", "the first two are shown");
         }
 
         // The front of flat faces follows from the order of their corners after the transform, so a mirror turns it inwards.
@@ -114,6 +120,7 @@ internal static class MitsubaMeshes
             FlipV = shape.Boolean("flip_tex_coords", shape.Type == "obj"),
             IgnoreColors = attributes.Length == 0,
             ColorAttribute = attributes is [not "vertex_color" and var name, ..] && shape.Type == "ply" ? name : "",
+            SecondColorAttribute = attributes.Length > 1 && shape.Type == "ply" ? attributes[1] : "",
             Material = material,
             Transform = MatrixSteps.Of(place),
         };

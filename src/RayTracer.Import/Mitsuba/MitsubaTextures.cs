@@ -134,9 +134,21 @@ internal sealed class MitsubaTextures(ImportReading reading)
         return uv.IsStraight ? image : uv.Place(image);
     }
 
-    /// <summary>The attributes of meshes that a material shows.</summary>
+    /// <summary>The attributes of meshes that a material shows; the colours of corners come first.</summary>
     public string[] AttributesOf(MaterialDescription material) =>
-        [.. MaterialTextures.Colors(material).Select(_attributes.GetValueOrDefault).OfType<string>().Distinct()];
+        [.. MaterialTextures.Colors(material).Select(_attributes.GetValueOrDefault).OfType<string>().Distinct().OrderBy(name => name == "vertex_color" ? 0 : 1)];
+
+    /// <summary>A material that shows an attribute as the second colours of its mesh.</summary>
+    public MaterialDescription WithSecond(MaterialDescription material, string attribute) => MaterialTextures.Map(material, t => WithSecond(t, attribute));
+
+    private TextureDescription WithSecond(TextureDescription texture, string attribute) => texture switch
+    {
+        VertexColorTextureDescription colors when _attributes.GetValueOrDefault(colors) == attribute => colors with { Second = true },
+        ProductTextureDescription product => product with { First = WithSecond(product.First, attribute), Second = WithSecond(product.Second, attribute) },
+        CheckerTextureDescription checker => checker with { Even = WithSecond(checker.Even, attribute), Odd = WithSecond(checker.Odd, attribute) },
+        PlacedTextureDescription placed => placed with { Texture = WithSecond(placed.Texture, attribute) },
+        _ => texture,
+    };
 
     private TextureDescription Attribute(MitsubaObject texture)
     {

@@ -71,6 +71,30 @@ internal sealed class MitsubaWrappers(ImportReading reading, MitsubaTextures tex
         };
     }
 
+    /// <summary>The sheet of Disney's parameters.</summary>
+    public ThinPrincipledMaterialDescription ThinPrincipled(MitsubaObject bsdf)
+    {
+        bsdf.Ignore(
+            "diffuse_reflectance_sampling_rate", "diffuse_transmittance_sampling_rate", "specular_reflectance_sampling_rate", "specular_transmittance_sampling_rate");
+        return new()
+        {
+            BaseColor = textures.Read(bsdf, "base_color", s_half),
+            Roughness = textures.Read(bsdf, "roughness", 0.5f),
+            Anisotropic = textures.Read(bsdf, "anisotropic", 0f),
+            Transmission = textures.Read(bsdf, "spec_trans", 0f),
+            DiffuseTransmission = Half(textures.Read(bsdf, "diff_trans", 0f, 2)),
+            RefractiveIndex = textures.Read(bsdf, "eta", 1.5f, 10),
+            SpecularTint = textures.Read(bsdf, "spec_tint", 0f),
+            Sheen = textures.Read(bsdf, "sheen", 0f),
+            SheenTint = textures.Read(bsdf, "sheen_tint", 0f),
+            Flatness = textures.Read(bsdf, "flatness", 0f),
+        };
+    }
+
+    // What goes from 0 to 2 there goes from 0 to 1 here.
+    private static TextureDescription Half(TextureDescription texture) =>
+        texture is SolidTextureDescription { Color: var whole } ? MaterialTextures.Solid(whole * 0.5f) : new ProductTextureDescription { First = texture, Second = MaterialTextures.Solid(0.5f) };
+
     private static TurnedNormal Turned(MitsubaObject bsdf) => bsdf.Boolean("flip_invalid_normals", true) ? TurnedNormal.Flip : TurnedNormal.Back;
 
     // What is gloss there is the absence of roughness here.

@@ -113,12 +113,6 @@ internal sealed class PbrtMedia(ImportReading reading, PbrtWorld world, float ex
             return Rgb.Black;
         }
 
-        if (!radiance.IsBlack && medium.Type is "homogeneous" or "cloud")
-        {
-            medium.Log.Unsupported(medium.PlaceOf("Le"), "of media, grids alone shine", "it does not shine");
-            radiance = Rgb.Black;
-        }
-
         return radiance * (medium.Float("Lescale", 1, 0) * exposure);
     }
 

@@ -20,6 +20,7 @@ internal static class FilledMaterials
             ThinDielectricMaterialDescription pane => pane with { Interior = medium },
             TranslucentMaterialDescription sheet => sheet with { Interior = medium },
             PrincipledMaterialDescription principled => principled with { Interior = medium },
+            ThinPrincipledMaterialDescription sheet => sheet with { Interior = medium },
             MaskMaterialDescription mask => mask with { Interior = medium },
             NormalMapMaterialDescription map => Filled(map.Material, medium, known) is { } inner ? map with { Material = inner } : null,
             BumpMapMaterialDescription map => Filled(map.Material, medium, known) is { } inner ? map with { Material = inner } : null,

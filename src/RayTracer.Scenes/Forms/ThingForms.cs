@@ -91,7 +91,9 @@ internal sealed class RecordForm() : ParameterForm("record")
 
     public override Json? Write(SceneWriter writer, object value) => writer.Inline(value);
 
-    public override JsonObject Schema(RecordParameter parameter) => SceneSchema.Record(RecordType.Of(parameter.RecordType!));
+    // What may hold one of its kind is named, as it would have no end.
+    public override JsonObject Schema(RecordParameter parameter) => RecordType.Of(parameter.RecordType!) is { HoldsItself: true, Name: var name } ? SceneSchema.Reference(name)
+        : SceneSchema.Record(RecordType.Of(parameter.RecordType!));
 
     public override string Words(RecordParameter parameter) => $"[{RecordType.Of(parameter.RecordType!).Name}](#{RecordType.Of(parameter.RecordType!).Name})";
 }

@@ -24,7 +24,7 @@ public static class SceneSchema
             ["environment"] = OneOf(SceneTypes.Environments),
         };
         foreach (RecordType listed in SceneTypes.Families.SelectMany(f => f.Types).Concat(SceneTypes.Parts)
-            .SelectMany(t => t.Parameters).Where(p => p is { IsList: true, RecordType: not null }).Select(p => RecordType.Of(p.RecordType!)).Distinct())
+            .SelectMany(t => t.Parameters).Where(p => p.RecordType is { } record && (p.IsList || RecordType.Of(record).HoldsItself)).Select(p => RecordType.Of(p.RecordType!)).Distinct())
         {
             definitions[listed.Name] = Record(listed);
         }

@@ -25,6 +25,9 @@ public abstract class SurfaceTable(int count, int stride)
     /// <summary>True where <see cref="SurfaceW.Tint"/> is described.</summary>
     public virtual bool HasTint => false;
 
+    /// <summary>True where <see cref="SurfaceW.SecondTint"/> is described.</summary>
+    public virtual bool HasSecondTint => false;
+
     /// <summary>Describes the surface where rays met it.</summary>
     /// <param name="primitives">The primitives hit.</param>
     /// <param name="needsUv">True if uv is wanted.</param>

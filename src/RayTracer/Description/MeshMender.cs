@@ -29,12 +29,14 @@ internal sealed class MeshMender(SceneBuilder builder)
             return null;
         }
 
-        if (wanted.ColorAttribute.Length > 0 && mesh.Data?.Attributes.Any(a => a.Name == wanted.ColorAttribute) != true)
+        if (Lacks(wanted, mesh, nameof(MeshDescription.ColorAttribute), wanted.ColorAttribute) || Lacks(wanted, mesh, nameof(MeshDescription.SecondColorAttribute), wanted.SecondColorAttribute))
         {
-            string[] names = [.. mesh.Data?.Attributes.Select(a => a.Name) ?? []];
-            string has = names.Length == 0 ? "there are none" : $"there are {string.Join(", ", names)}";
-            builder.Error(wanted, nameof(MeshDescription.ColorAttribute), $"{Name(mesh)} has no colours {Quotation.Of(wanted.ColorAttribute)}: {has}");
             return null;
+        }
+
+        if (wanted.SecondColorAttribute.Length > 0 && IsRefined(wanted, mesh))
+        {
+            builder.Error(wanted, nameof(MeshDescription.SecondColorAttribute), $"{Name(mesh)} is refined, and shows one set of colours only");
         }
 
         MeshData data = MeshDoctor.Mend(MeshVariant.Of(mesh.Data ?? Inline(mesh), wanted), out string report);
@@ -49,6 +51,18 @@ internal sealed class MeshMender(SceneBuilder builder)
         }
 
         return data.TriangleCount > 0 && IsRefined(wanted, mesh) ? Refined(wanted, mesh, data) : data;
+    }
+
+    private bool Lacks(MeshDescription wanted, MeshDescription mesh, string property, string name)
+    {
+        string[] names = [.. mesh.Data?.Attributes.Select(a => a.Name) ?? []];
+        bool lacks = name.Length > 0 && !names.Contains(name);
+        if (lacks)
+        {
+            builder.Error(wanted, property, $"{Name(mesh)} has no colours {Quotation.Of(name)}: {(names.Length == 0 ? "there are none" : $"there are {string.Join(", ", names)}")}");
+        }
+
+        return lacks;
     }
 
     // Creases matter to what is smooth, too: but not where a mesh has normals of its own.

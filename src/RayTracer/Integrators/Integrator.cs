@@ -60,7 +60,7 @@ public enum IntegratorTraits
     /// <summary>Samples may share their camera rays.</summary>
     Splits = 1 << 16,
 
-    /// <summary>Media inside shapes may vary in space.</summary>
+    /// <summary>Media inside shapes may vary in space, and may shine.</summary>
     VaryingMedia = 1 << 17,
 
     /// <summary>What goes straight through surfaces may be no bounce.</summary>
@@ -81,13 +81,13 @@ public abstract class Integrator(string name, IntegratorTraits traits) : NamedVa
     /// </summary>
     public static Integrator Report { get; } = new ReportIntegrator();
 
-    /// <summary>Path tracing: light sources and surfaces are both sampled and weighed against each other, without bias.</summary>
+    /// <summary>Path tracing: light sources and surfaces are both sampled and weighed against each other, without bias. Media inside shapes absorb and scatter light.</summary>
     public static Integrator Path { get; } = new PathIntegrator();
 
     /// <summary>As path, with light that comes straight from the sources only.</summary>
     public static Integrator Direct { get; } = new DirectIntegrator();
 
-    /// <summary>As path, with media that absorb and scatter light inside shapes.</summary>
+    /// <summary>As path; what goes straight through surfaces may be no bounce.</summary>
     public static Integrator VolPath { get; } = new VolPathIntegrator();
 
     /// <summary>Light tracing: paths from the lights, connected with the camera.</summary>

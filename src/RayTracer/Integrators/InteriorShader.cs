@@ -185,8 +185,14 @@ internal abstract unsafe class InteriorShader(ShaderContext context) : SurfaceSh
         FloatW chosen = (u < share.R).Select(extinction.R, (u < share.R + share.G).Select(extinction.G, extinction.B));
         FloatW flight = (chosen > 0f).Select(-LaneMath.Log(1f - v) / chosen, float.PositiveInfinity);
 
-        // What scatters nothing needs no chance.
         FloatW distance = FloatW.Load(stream.Distance + i);
+        if (Scene.Media.EvenShine)
+        {
+            // All that is on the way to what is met, whether the path comes so far or is scattered.
+            VaryingFlights.Shine(throughput * Scene.Media.Emission(media) * MediumTable.Seen(extinction, distance), inside, UIntW.Iota + (uint)i, stream, Observer);
+        }
+
+        // What scatters nothing needs no chance.
         MaskW scatters = inside & (flight < distance) & (FloatW.Max(albedo.R, FloatW.Max(albedo.G, albedo.B)) > 0f);
         MaskW isByChance = inside & (FloatW.Max(albedo.R, FloatW.Max(albedo.G, albedo.B)) > 0f);
         RgbW left = MediumTable.Transmittance(extinction, FloatW.Min(flight, distance));

@@ -240,17 +240,15 @@ internal sealed unsafe class PathShader(ShaderContext context, int maxDepth) : I
         RgbW radiance = stream.PickRadiance(index);
         Vec3W incoming = stream.PickDirection(index);
         Vec3W point = Vec3W.MultiplyAdd(incoming, FloatW.Pick(stream.Distance, index), stream.PickOrigin(index));
-        FloatW anisotropy = Scene.Media.Anisotropy(media);
 
         UIntW edges = Edges(state);
         MaskW alive = active & (edges + 1u < _maxDepth);
         alive = alive.Except((throughput.R <= 0f) & (throughput.G <= 0f) & (throughput.B <= 0f));
         Clock?.Enter(Stage.Light);
-        _directLight.AddInMedium(point, incoming, anisotropy, media, Vertex, time, alive, throughput, ref radiance);
+        _directLight.AddInMedium(point, incoming, media, Vertex, time, alive, throughput, ref radiance);
         Clock?.Enter(Stage.Scatter);
-        Vertex.Direction(out FloatW u, out FloatW v);
-        Vec3W direction = HenyeyGreenstein.Sample(incoming, anisotropy, u, v, out FloatW cosine);
-        FloatW pdf = HenyeyGreenstein.Evaluate(cosine, anisotropy);
+        Vec3W direction = Scene.Media.Scatter(media, point, incoming, Vertex, out FloatW cosine);
+        FloatW pdf = Scene.Media.Phase(media, point, cosine);
         Clock?.Enter(Stage.Shade);
         Survive(edges, FloatW.Max(throughput.R, FloatW.Max(throughput.G, throughput.B)) * Leniency, ref alive, ref throughput);
         Observer?.ScatteredInMedium(stream, index, active, alive, point, pdf);
@@ -399,10 +397,12 @@ internal sealed unsafe class PathShader(ShaderContext context, int maxDepth) : I
 }
 
 /// <summary>Path tracing.</summary>
-internal class PathIntegrator(string name = "path", IntegratorTraits more = IntegratorTraits.PathLimit | IntegratorTraits.Guides | IntegratorTraits.Splits) : Integrator(
+internal class PathIntegrator(string name = "path", IntegratorTraits more = PathIntegrator.Media | IntegratorTraits.PathLimit | IntegratorTraits.Guides | IntegratorTraits.Splits) : Integrator(
     name, IntegratorTraits.Light | IntegratorTraits.Layers | IntegratorTraits.Priorities | IntegratorTraits.LiteralNormals | IntegratorTraits.SampledEnvironment
         | IntegratorTraits.LitGloss | IntegratorTraits.SoftTone | IntegratorTraits.HiddenLights | more)
 {
+    protected const IntegratorTraits Media = IntegratorTraits.Media | IntegratorTraits.VaryingMedia;
+
     protected internal override SurfaceShader CreateShader(ShaderContext context) => new PathShader(context, context.Scene.Render.MaxDepth);
 }
 
@@ -412,5 +412,5 @@ internal sealed class DirectIntegrator() : PathIntegrator("direct", IntegratorTr
     protected internal override SurfaceShader CreateShader(ShaderContext context) => new PathShader(context, maxDepth: 2);
 }
 
-/// <summary>Path tracing with media.</summary>
-internal sealed class VolPathIntegrator() : PathIntegrator("volPath", IntegratorTraits.Media | IntegratorTraits.VaryingMedia | IntegratorTraits.PathLimit | IntegratorTraits.StraightThrough);
+/// <summary>Path tracing in which what goes straight through surfaces may be no bounce.</summary>
+internal sealed class VolPathIntegrator() : PathIntegrator("volPath", Media | IntegratorTraits.PathLimit | IntegratorTraits.StraightThrough);

@@ -185,6 +185,11 @@ public abstract unsafe class SurfaceShader(ShaderContext context)
             surface.Tint = Rgb.White;
         }
 
+        if (group.LacksSecondTint)
+        {
+            surface.SecondTint = Rgb.White;
+        }
+
         if (group.IsNested)
         {
             // Where paths do not track what they are in, nothing is around.

@@ -31,7 +31,7 @@ public abstract record GlassDescription : MaterialDescription
     public Vector3? SellmeierC { get; init; }
 
     /// <summary>The medium inside.</summary>
-    [Parameter("What fills the inside: milk, fog, a coloured liquid. Shown by volPath and by the integrators that trace light.")]
+    [Parameter("What fills the inside: milk, fog, a coloured liquid. Shown by path, volPath and the integrators that trace light.")]
     public MediumDescription Interior { get; init; } = new();
 
     /// <summary>

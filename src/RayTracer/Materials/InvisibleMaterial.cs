@@ -7,11 +7,11 @@ namespace RayTracer.Materials;
 
 /// <summary>Describes an <see cref="InvisibleMaterial"/>.</summary>
 [SceneType("invisible", "A surface that all light passes straight through: the boundary of a cloud or of smoke, whose interior "
-    + "volPath and the integrators that trace light show.")]
+    + "path, volPath and the integrators that trace light show.")]
 public sealed record InvisibleMaterialDescription : MaterialDescription
 {
     /// <summary>The medium inside.</summary>
-    [Parameter("What fills the (closed) shape; volPath and the integrators that trace light show it.")]
+    [Parameter("What fills the (closed) shape; path, volPath and the integrators that trace light show it.")]
     public MediumDescription Interior { get; init; } = new();
 
     /// <inheritdoc/>

@@ -172,6 +172,9 @@ public struct SurfaceW
     /// <summary>The factor on the diffuse colour: 1 where surfaces have no colours of their own.</summary>
     public RgbW Tint;
 
+    // What a mesh's second colours are there; set only where a texture shows them.
+    internal RgbW SecondTint;
+
     /// <summary>Unit direction of the ray, towards the surface.</summary>
     public Vec3W Incoming;
 
@@ -190,8 +193,8 @@ public struct SurfaceW
     public FloatW ExteriorIndex;
 
     /// <summary>
-    /// Surface coordinates; set only where <see cref="MaterialTraits.UsesUv"/>. In a medium, the mean cosine of scattering, and the density of being
-    /// scattered per length.
+    /// Surface coordinates; set only where <see cref="MaterialTraits.UsesUv"/>. In a medium, its number, and the density of being scattered
+    /// per length.
     /// </summary>
     public FloatW U, V;
 

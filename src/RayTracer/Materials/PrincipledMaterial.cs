@@ -68,7 +68,7 @@ public sealed record PrincipledMaterialDescription : MaterialDescription
     public TextureDescription Flatness { get; init; } = Number(0);
 
     /// <summary>The medium inside.</summary>
-    [Parameter("What fills the inside of the (closed) shape, where transmission lets light in. Shown by volPath and by the integrators that trace light.")]
+    [Parameter("What fills the inside of the (closed) shape, where transmission lets light in. Shown by path, volPath and the integrators that trace light.")]
     public MediumDescription Interior { get; init; } = new();
 
     /// <inheritdoc/>
@@ -100,7 +100,7 @@ public sealed record PrincipledMaterialDescription : MaterialDescription
     // Of 8 % · specular = ((n − 1)/(n + 1))².
     private static float IndexOf(float specular) => Math.Max((2 / (1 - float.Sqrt(0.08f * specular))) - 1, 1.001f);
 
-    private static SolidTextureDescription Number(float value) => new() { Color = new(value, value, value) };
+    internal static SolidTextureDescription Number(float value) => new() { Color = new(value, value, value) };
 }
 
 /// <summary>
@@ -113,7 +113,7 @@ public sealed record PrincipledMaterialDescription : MaterialDescription
 /// <param name="interior">The medium inside; null for none.</param>
 internal sealed class PrincipledMaterial(PrincipledTextures textures, float refractiveIndex, Medium? interior = null) : Material
 {
-    private const float SmallestAlpha = 1e-3f;
+    internal const float SmallestAlpha = 1e-3f;
 
     // The coat has an index of 1.5, a quarter of the strength of the main lobe, and separate masking.
     private const float CoatReflectance = 0.04f;
@@ -209,20 +209,28 @@ internal sealed class PrincipledMaterial(PrincipledTextures textures, float refr
     }
 
     // (1 − cos)⁵, Schlick's weight.
-    private static FloatW Grazing(FloatW cosine)
+    internal static FloatW Grazing(FloatW cosine)
     {
         FloatW x = FloatW.Max(0f, FloatW.Min(1f - cosine, 1f));
         FloatW x2 = x * x;
         return x2 * x2 * x;
     }
 
-    private static FloatW Red(Texture texture, in SurfaceW surface)
+    internal static FloatW Red(Texture texture, in SurfaceW surface)
     {
         texture.Evaluate(surface, out RgbW color);
         return color.R;
     }
 
-    private static RgbW Lerp(RgbW a, RgbW b, FloatW t) => a * (1f - t) + b * t;
+    internal static RgbW Lerp(RgbW a, RgbW b, FloatW t) => a * (1f - t) + b * t;
+
+    // A colour at a luminance of 1. Returns its luminance.
+    internal static FloatW TintOf(in RgbW color, out RgbW tint)
+    {
+        FloatW luminance = FloatW.MultiplyAdd(color.R, 0.212671f, FloatW.MultiplyAdd(color.G, 0.715160f, color.B * 0.072169f));
+        tint = (luminance > 0f).Select(color * (1f / luminance), Rgb.White);
+        return luminance;
+    }
 
     private void Begin(in SurfaceW surface, out Values at)
     {
@@ -247,8 +255,7 @@ internal sealed class PrincipledMaterial(PrincipledTextures textures, float refr
         at.Matt = at.IsFront.Select((1f - at.Metallic) * (1f - transmission), 0f);
         at.Sheen = at.IsFront.Select(at.Sheen * (1f - at.Metallic), 0f);
         at.Coat = at.IsFront.Select(clearcoat * CoatStrength, 0f);
-        FloatW luminance = FloatW.MultiplyAdd(at.Base.R, 0.212671f, FloatW.MultiplyAdd(at.Base.G, 0.715160f, at.Base.B * 0.072169f));
-        at.Tint = (luminance > 0f).Select(at.Base * (1f / luminance), Rgb.White);
+        FloatW luminance = TintOf(at.Base, out at.Tint);
 
         FloatW alpha = at.Roughness * at.Roughness;
         FloatW aspect = _isAnisotropic ? FloatW.Sqrt(FloatW.MultiplyAdd(Red(textures.Anisotropic, surface), -0.9f, 1f)) : 1f;
@@ -347,7 +354,7 @@ internal sealed class PrincipledMaterial(PrincipledTextures textures, float refr
     }
 
     // Burley 2012, section 5.3, the retro-reflection apart (2015, eq. 4), and the sheen of section 5.6.
-    private static RgbW MattAndSheen(in Values at, FloatW cosLight, FloatW cosHalf)
+    internal static RgbW MattAndSheen(in Values at, FloatW cosLight, FloatW cosHalf)
     {
         FloatW grazingLight = Grazing(cosLight);
         FloatW grazingView = Grazing(at.View.Z);
@@ -365,7 +372,7 @@ internal sealed class PrincipledMaterial(PrincipledTextures textures, float refr
     }
 
     // The parameters where a path meets the surface, and how often each lobe is chosen.
-    private struct Values
+    internal struct Values
     {
         public Onb Frame;
         public Vec3W View;

@@ -4,7 +4,7 @@ using RayTracer.Textures;
 namespace RayTracer.Materials;
 
 /// <summary>
-/// The parameters of a <see cref="PrincipledMaterial"/>, which may vary over the surface; of all but the colour, the red channel counts.
+/// The parameters of a <see cref="PrincipledMaterial"/> or a <see cref="ThinPrincipledMaterial"/>, which may vary over the surface; of all but the colour, the red channel counts.
 /// </summary>
 internal sealed class PrincipledTextures
 {
@@ -43,10 +43,17 @@ internal sealed class PrincipledTextures
     /// <summary>0 is matt, 1 as if light went around below the surface.</summary>
     public Texture Flatness { get; init; } = s_zero;
 
+    /// <summary>Refractive index, of a thin sheet.</summary>
+    public Texture RefractiveIndex { get; init; } = s_zero;
+
+    /// <summary>The part of what is matt that comes out on the other side, of a thin sheet.</summary>
+    public Texture DiffuseTransmission { get; init; } = s_zero;
+
     /// <summary>Some of them vary.</summary>
     public bool UsesUv => BaseColor.Constant is null || Roughness.Constant is null || Metallic.Constant is null || Anisotropic.Constant is null
         || SpecularTint.Constant is null || Transmission.Constant is null || Sheen.Constant is null || SheenTint.Constant is null
-        || Clearcoat.Constant is null || ClearcoatRoughness.Constant is null || Flatness.Constant is null;
+        || Clearcoat.Constant is null || ClearcoatRoughness.Constant is null || Flatness.Constant is null || RefractiveIndex.Constant is null
+        || DiffuseTransmission.Constant is null;
 
     /// <summary>Returns whether a parameter is zero everywhere.</summary>
     public static bool IsZero(Texture texture) => texture.Constant is { R: 0 };

@@ -23,7 +23,7 @@ public sealed record ThinDielectricMaterialDescription : MaterialDescription
     public TextureDescription SpecularTransmittance { get; init; } = new SolidTextureDescription { Color = Rgb.White };
 
     /// <summary>The medium inside.</summary>
-    [Parameter("What fills the inside of the (closed) shape: a bubble's wall around smoke. Shown by volPath and by the integrators that trace light.")]
+    [Parameter("What fills the inside of the (closed) shape: a bubble's wall around smoke. Shown by path, volPath and the integrators that trace light.")]
     public MediumDescription Interior { get; init; } = new();
 
     /// <inheritdoc/>

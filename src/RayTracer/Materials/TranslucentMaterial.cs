@@ -20,7 +20,7 @@ public sealed record TranslucentMaterialDescription : MaterialDescription
     public TextureDescription Transmittance { get; init; } = new SolidTextureDescription { Color = new(0.5f, 0.5f, 0.5f) };
 
     /// <summary>The medium inside.</summary>
-    [Parameter("What fills the inside of the (closed) shape. Shown by volPath and by the integrators that trace light.")]
+    [Parameter("What fills the inside of the (closed) shape. Shown by path, volPath and the integrators that trace light.")]
     public MediumDescription Interior { get; init; } = new();
 
     /// <inheritdoc/>

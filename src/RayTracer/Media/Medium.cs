@@ -11,6 +11,12 @@ public sealed record Medium(Rgb Extinction, Rgb Albedo, float Anisotropy)
 {
     /// <summary>What varies in space; null where the medium is even.</summary>
     internal VaryingMedium? Varying { get; init; }
+
+    /// <summary>The light that an even medium sends for each unit of length.</summary>
+    internal Rgb Emission { get; init; }
+
+    /// <summary>How it spreads what it scatters over directions; null for Henyey and Greenstein's phase function, by <see cref="Anisotropy"/>.</summary>
+    internal PhaseFunction? Phase { get; init; }
 }
 
 /// <summary>The inside of a shape.</summary>

@@ -20,6 +20,10 @@ public sealed record MediumDescription
         + "above 0 mostly forward, below 0 mostly back.", Minimum = -0.99, Maximum = 0.99)]
     public float Anisotropy { get; init; }
 
+    /// <summary>Over which directions light is scattered; null for <see cref="Anisotropy"/>.</summary>
+    [Parameter("Over which directions the medium spreads what it scatters, where anisotropy does not say it: as clear air, by a table, or a mixture. It replaces anisotropy.")]
+    public PhaseDescription? Phase { get; init; }
+
     /// <summary>Factors on the extinction; null for none.</summary>
     [Parameter("Numbers by which the extinction is multiplied: the density of a cloud, from a file. Outside of their box the medium is empty.")]
     public GridDescription? Density { get; init; }
@@ -37,8 +41,7 @@ public sealed record MediumDescription
     public GridDescription? AlbedoGrid { get; init; }
 
     /// <summary>The light that the medium sends itself; black for none.</summary>
-    [Parameter("The light that the medium sends in all directions: radiance for each unit of length where the density is 1. It is multiplied by the density, or by the emission grid; only together with "
-        + "density, noise or cloud.", Unit = "power per area, steradian and scene unit", Minimum = 0)]
+    [Parameter("The light that the medium sends in all directions: radiance for each unit of length. It is multiplied by the density, if there is one, or by the emission grid.", Unit = "power per area, steradian and scene unit", Minimum = 0)]
     public Rgb Emission { get; init; }
 
     /// <summary>Factors on the emission; null for those of the density.</summary>
@@ -65,16 +68,24 @@ public sealed record MediumDescription
             builder.Error(this, nameof(EmissionGrid), "the numbers are factors on the \"emission\", which is black");
         }
 
-        if (!Emission.IsBlack && !varies)
+        if (EmissionGrid is not null && !varies)
         {
-            builder.Error(this, nameof(Emission), "a medium shines only where its density varies: add \"density\", \"noise\" or \"cloud\"");
+            builder.Error(this, nameof(EmissionGrid), "the emission varies only where the density does: add \"density\", \"noise\" or \"cloud\"");
+        }
+
+        if (Phase is not null && Anisotropy != 0)
+        {
+            builder.Error(this, nameof(Anisotropy), "a medium has either \"anisotropy\" or \"phase\", not both");
         }
 
         PlacedGrid? density = Density?.Build(builder) ?? Noise?.Build(builder) ?? Cloud?.Build(builder);
         PlacedGrid? albedo = AlbedoGrid?.Build(builder);
         PlacedGrid? emission = EmissionGrid?.Build(builder);
-        return Extinction.IsBlack && Emission.IsBlack ? null : new(Extinction, Albedo, Anisotropy)
+        PhaseFunction? phase = Phase?.Build(builder);
+        return Extinction.IsBlack && Emission.IsBlack ? null : new(Extinction, Albedo, Phase is { Shape: PhaseShape.HenyeyGreenstein, Anisotropy: var g } ? g : Anisotropy)
         {
+            Phase = phase is HenyeyGreenstein ? null : phase,
+            Emission = density is null ? Emission : Rgb.Black,
             Varying = density is null ? null : new(density, albedo, Extinction, Albedo, Emission, emission),
         };
     }

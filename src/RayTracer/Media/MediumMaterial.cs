@@ -9,7 +9,8 @@ namespace RayTracer.Media;
 /// A point in a medium in the place of a surface's, for paths that are connected: scattering has a BSDF there as well, the phase function, but no cosines
 /// (Pauly, Kollig &amp; Keller 2000, who extend the paths of Veach 1997, chapter 8, to media).
 /// </summary>
-internal sealed class MediumMaterial : Material
+/// <param name="media">The scene's media.</param>
+internal sealed class MediumMaterial(MediumTable media) : Material
 {
     /// <inheritdoc/>
     public override MaterialTraits Traits { get; } = new() { IsLit = true, Transmits = true, KeepsEnergy = true };
@@ -28,7 +29,7 @@ internal sealed class MediumMaterial : Material
         surface.Normal = surface.Facing = -surface.Incoming;
         surface.Rules = NormalRules.InMedium;
         surface.DiffuseColor = media.Albedo(stack);
-        (surface.U, surface.V) = (media.Anisotropy(stack), media.MeanExtinction(stack));
+        (surface.U, surface.V) = (MediumStack.Innermost(stack).ToFloat(), media.MeanExtinction(stack));
     }
 
     /// <inheritdoc/>
@@ -40,7 +41,7 @@ internal sealed class MediumMaterial : Material
 
     /// <inheritdoc/>
     public override void Pdf(in SurfaceW surface, in Vec3W direction, out FloatW pdf) =>
-        pdf = HenyeyGreenstein.Evaluate(Vec3W.Dot(surface.Incoming, direction), surface.U);
+        pdf = media.Phase(surface.U.ToInt(), surface.Point, Vec3W.Dot(surface.Incoming, direction));
 
     /// <inheritdoc/>
     public override void Evaluate(in SurfaceW surface, in Vec3W direction, out RgbW bsdf, out FloatW pdf)
@@ -52,9 +53,8 @@ internal sealed class MediumMaterial : Material
     /// <inheritdoc/>
     public override void Scatter(in SurfaceW surface, VertexSamples samples, out ScatterW scatter)
     {
-        samples.Direction(out FloatW u, out FloatW v);
         scatter = default;
-        scatter.Direction = HenyeyGreenstein.Sample(surface.Incoming, surface.U, u, v, out _);
+        scatter.Direction = media.Scatter(surface.U.ToInt(), surface.Point, surface.Incoming, samples, out _);
         scatter.Weight = Rgb.White;
     }
 }

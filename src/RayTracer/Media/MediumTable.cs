@@ -1,4 +1,5 @@
 using RayTracer.Numerics;
+using RayTracer.Sampling;
 
 namespace RayTracer.Media;
 
@@ -10,7 +11,11 @@ internal sealed unsafe class MediumTable
     private readonly IReadOnlyList<Interior> _interiors;
     private readonly PinnedBuffer<float> _numbers;
     private readonly PinnedBuffer<float> _absorption;
+    private readonly PinnedBuffer<float> _emission;
     private readonly PinnedBuffer<float> _priorities;
+
+    // Those of the media that do not scatter by Henyey and Greenstein's.
+    private readonly (uint Number, PhaseFunction Phase)[] _phases;
 
     /// <summary>Makes the table; they have the numbers from 1 in their order.</summary>
     public MediumTable(IReadOnlyList<Interior> interiors)
@@ -18,9 +23,11 @@ internal sealed unsafe class MediumTable
         _interiors = interiors;
         _numbers = new((interiors.Count + 1L) * Stride);
         _absorption = new((interiors.Count + 1L) * Stride);
+        _emission = new((interiors.Count + 1L) * Stride);
         _priorities = new(interiors.Count + 1L);
         _priorities.Pointer[0] = -1;
         List<(uint, VaryingMedium)> varying = [];
+        List<(uint, PhaseFunction)> phases = [];
         for (int i = 0; i < interiors.Count; i++)
         {
             (Rgb extinction, Rgb albedo, float anisotropy) = interiors[i].Medium ?? s_empty;
@@ -31,7 +38,16 @@ internal sealed unsafe class MediumTable
                 (extinction, albedo) = (Rgb.Black, Rgb.Black);
             }
 
-            HasEven |= !extinction.IsBlack;
+            if (interiors[i].Medium?.Phase is { } phase)
+            {
+                phases.Add(((uint)i + 1, phase));
+            }
+
+            Rgb emission = interiors[i].Medium?.Emission ?? Rgb.Black;
+            ReadOnlySpan<float> sent = [emission.R, emission.G, emission.B];
+            sent.CopyTo(new Span<float>(_emission.Pointer + ((i + 1) * Stride), Stride));
+            EvenShine |= !emission.IsBlack;
+            HasEven |= !extinction.IsBlack || !emission.IsBlack;
             ReadOnlySpan<float> numbers = [extinction.R, extinction.G, extinction.B, albedo.R, albedo.G, albedo.B, anisotropy, 0];
             numbers.CopyTo(new Span<float>(_numbers.Pointer + ((i + 1) * Stride), Stride));
             Rgb absorption = interiors[i].Nesting?.Extinction ?? Rgb.Black;
@@ -42,7 +58,7 @@ internal sealed unsafe class MediumTable
             _priorities.Pointer[i + 1] = interiors[i].Nesting?.Priority ?? float.MaxValue;
         }
 
-        Varying = [.. varying];
+        (Varying, _phases) = ([.. varying], [.. phases]);
     }
 
     /// <summary>Those whose density varies, with their numbers.</summary>
@@ -51,8 +67,17 @@ internal sealed unsafe class MediumTable
     /// <summary>True where some are even.</summary>
     public bool HasEven { get; }
 
+    /// <summary>True where some that are even send light.</summary>
+    public bool EvenShine { get; }
+
+    /// <summary>True where some send light.</summary>
+    public bool Shine => EvenShine || Array.Exists(Varying, m => m.Medium.Emits);
+
     /// <summary>Extinction coefficients of the innermost media; 0 where they vary.</summary>
     public RgbW Extinction(UIntW stack) => Color(_numbers.Pointer, stack);
+
+    /// <summary>The light that the innermost media send for each unit of length; 0 where they vary.</summary>
+    public RgbW Emission(UIntW stack) => Color(_emission.Pointer, stack);
 
     /// <summary>Extinction coefficients of the dielectrics themselves.</summary>
     public RgbW Absorption(UIntW stack) => Color(_absorption.Pointer, stack);
@@ -96,8 +121,40 @@ internal sealed unsafe class MediumTable
     /// <param name="left">The part of the light that is left so far (<see cref="Transmittance"/>).</param>
     public FloatW MeanPassing(UIntW stack, in RgbW left) => ScattersAny(stack).Select((left.R + left.G + left.B) * (1f / 3f), 1f);
 
-    /// <summary>Mean cosines of the angles of scattering.</summary>
-    public FloatW Anisotropy(UIntW stack) => FloatW.Gather(_numbers.Pointer + 6, MediumStack.Innermost(stack) * Stride);
+    /// <summary>The fraction of the light that the innermost media scatter by an angle, per steradian, which is also its density (<see cref="PhaseFunction"/>).</summary>
+    /// <param name="stack">The stack.</param>
+    /// <param name="point">Where.</param>
+    /// <param name="cosine">Cosine of the angle between the directions of travel before and after.</param>
+    public FloatW Phase(UIntW stack, in Vec3W point, FloatW cosine)
+    {
+        FloatW fraction = HenyeyGreenstein.Evaluate(cosine, Anisotropy(stack));
+        foreach ((uint number, PhaseFunction phase) in _phases)
+        {
+            MaskW here = UIntW.Equal(MediumStack.Innermost(stack), number);
+            fraction = here.Any ? here.Select(phase.Evaluate(point, cosine), fraction) : fraction;
+        }
+
+        return fraction;
+    }
+
+    /// <summary>Chooses directions of travel where the innermost media scatter paths, with the density of <see cref="Phase"/>.</summary>
+    /// <param name="stack">The stack.</param>
+    /// <param name="point">Where.</param>
+    /// <param name="before">Unit directions of travel before.</param>
+    /// <param name="samples">Random numbers of the vertex.</param>
+    /// <param name="cosine">Cosine of the angle between both.</param>
+    public Vec3W Scatter(UIntW stack, in Vec3W point, in Vec3W before, VertexSamples samples, out FloatW cosine)
+    {
+        samples.Direction(out FloatW u, out FloatW v);
+        cosine = HenyeyGreenstein.Cosine(Anisotropy(stack), u);
+        foreach ((uint number, PhaseFunction phase) in _phases)
+        {
+            MaskW here = UIntW.Equal(MediumStack.Innermost(stack), number);
+            cosine = here.Any ? here.Select(phase.Cosine(point, samples.Choice(), u), cosine) : cosine;
+        }
+
+        return PhaseFunction.Turned(before, cosine, v);
+    }
 
     /// <summary>The fraction of the light that is left after a distance (Beer 1852).</summary>
     public static RgbW Transmittance(in RgbW extinction, FloatW distance)
@@ -105,6 +162,23 @@ internal sealed unsafe class MediumTable
         FloatW way = FloatW.Min(distance, 1e30f);
         return new(LaneMath.Exp(-extinction.R * way), LaneMath.Exp(-extinction.G * way), LaneMath.Exp(-extinction.B * way));
     }
+
+    /// <summary>
+    /// The length over which a medium that sends light is seen along a way, weakened by what is in front: the integral of the transmittance, (1 − e^(−extinction · distance))/extinction. 0 for
+    /// clear ways without an end, which no closed shape has.
+    /// </summary>
+    public static RgbW Seen(in RgbW extinction, FloatW distance) => new(Seen(extinction.R, distance), Seen(extinction.G, distance), Seen(extinction.B, distance));
+
+    // Where the optical depth is small, the difference of the formula has few digits: its series has all.
+    private static FloatW Seen(FloatW extinction, FloatW distance)
+    {
+        FloatW depth = extinction * FloatW.Min(distance, 1e30f);
+        FloatW series = FloatW.MultiplyAdd(depth, FloatW.MultiplyAdd(depth, FloatW.MultiplyAdd(depth, -1f / 24, 1f / 6), -0.5f), 1f);
+        FloatW near = (distance < 1e30f).Select(distance * series, 0f);
+        return (depth < 0.03f).Select(near, (1f - LaneMath.Exp(-depth)) / extinction);
+    }
+
+    private FloatW Anisotropy(UIntW stack) => FloatW.Gather(_numbers.Pointer + 6, MediumStack.Innermost(stack) * Stride);
 
     private MaskW ScattersAny(UIntW stack)
     {

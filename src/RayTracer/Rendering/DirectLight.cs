@@ -118,7 +118,6 @@ internal sealed unsafe class DirectLight(Scene scene, ShadowQueue? queue, PathOb
     /// <summary>Adds the light of all sources that a medium scatters back along the ray.</summary>
     /// <param name="point">The lit points.</param>
     /// <param name="incoming">Unit directions of the rays.</param>
-    /// <param name="anisotropy">The medium's mean cosines of the angle of scattering.</param>
     /// <param name="media">The media there.</param>
     /// <param name="samples">Random numbers of the vertex.</param>
     /// <param name="time">Times in seconds; used only where something moves.</param>
@@ -126,7 +125,7 @@ internal sealed unsafe class DirectLight(Scene scene, ShadowQueue? queue, PathOb
     /// <param name="weight">Throughput.</param>
     /// <param name="radiance">Added to.</param>
     public void AddInMedium(
-        in Vec3W point, in Vec3W incoming, in FloatW anisotropy, in UIntW media, VertexSamples samples, in FloatW time, in MaskW active,
+        in Vec3W point, in Vec3W incoming, in UIntW media, VertexSamples samples, in FloatW time, in MaskW active,
         in RgbW weight, ref RgbW radiance)
     {
         UIntW chosen = 0u;
@@ -146,7 +145,7 @@ internal sealed unsafe class DirectLight(Scene scene, ShadowQueue? queue, PathOb
             if (lit.Any)
             {
                 ShadowRays += BitOperations.PopCount(lit.Bits);
-                FloatW phase = HenyeyGreenstein.Evaluate(Vec3W.Dot(incoming, sample.Direction), anisotropy);
+                FloatW phase = scene.Media.Phase(media, point, Vec3W.Dot(incoming, sample.Direction));
                 FloatW share = _lights[i].IsDelta ? phase : phase * Weight(1f, phase * sample.InversePdf / probability);
                 clock?.Enter(Stage.Shadow);
                 if (_varies)

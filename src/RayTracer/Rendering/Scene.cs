@@ -45,6 +45,7 @@ public sealed class Scene
         _interiors = ShadingGroup.NumberInteriors(Groups);
         Wavelengths = Array.Exists(Groups, g => g.Traits.Disperses) ? new() : null;
         Media = new(_interiors);
+        GroupOfMedia = new(new MediumMaterial(Media), null, -1, isInstanced: false);
         (HasMedia, HasNesting, WeakensShadows, PassesStraight, IsLiteral) = Shown();
         HidesLights = render.HideLights && render.Integrator.Has(IntegratorTraits.HiddenLights);
         CameraInteriors = TracksInteriors ? EnclosingMedia.Of(this) : 0;
@@ -75,6 +76,7 @@ public sealed class Scene
         Wavelengths = other.Wavelengths;
         _interiors = other._interiors;
         Media = other.Media;
+        GroupOfMedia = new(new MediumMaterial(Media), null, -1, isInstanced: false);
         (HasMedia, HasNesting, WeakensShadows, PassesStraight, IsLiteral) = Shown();
         HidesLights = render.HideLights && render.Integrator.Has(IntegratorTraits.HiddenLights);
         CameraInteriors = TracksInteriors ? EnclosingMedia.Of(this) : 0;
@@ -184,6 +186,9 @@ public sealed class Scene
 
     /// <summary>The media that fill shapes.</summary>
     internal MediumTable Media { get; }
+
+    /// <summary>The points at which media scatter light, for subpaths: they are shaded as if they were a surface.</summary>
+    internal ShadingGroup GroupOfMedia { get; }
 
     /// <summary>True where media absorb and scatter light: there are some, and the integrator is one that shows them.</summary>
     internal bool HasMedia { get; }

@@ -16,10 +16,7 @@ public sealed class ShadingGroup(Material material, SurfaceTable? batch, int onl
 {
     private MaterialTraits _traits = material.Traits;
 
-    /// <summary>The points at which media scatter light, for subpaths: they are shaded as if they were a surface.</summary>
-    internal static ShadingGroup OfMedia { get; } = new(new MediumMaterial(), null, -1, isInstanced: false);
-
-    /// <summary>It is <see cref="OfMedia"/>.</summary>
+    /// <summary>It is that of the points at which media scatter light.</summary>
     internal bool IsOfMedia => batch is null;
 
     /// <summary>The material.</summary>
@@ -51,6 +48,9 @@ public sealed class ShadingGroup(Material material, SurfaceTable? batch, int onl
 
     /// <summary>The surface has no colours of its own.</summary>
     internal bool LacksTint { get; } = batch is not { HasTint: true };
+
+    /// <summary>A texture asks for second colours, and the surface has none.</summary>
+    internal bool LacksSecondTint { get; } = batch is not { HasSecondTint: true } && (material.Inputs & TextureInputs.SecondColor) != TextureInputs.None;
 
     /// <summary>A texture asks for the point in the shape's own coordinates.</summary>
     internal bool UsesLocal { get; } = (material.Inputs & TextureInputs.ObjectPoint) != TextureInputs.None;

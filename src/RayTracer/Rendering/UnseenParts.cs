@@ -129,10 +129,11 @@ internal sealed class UnseenParts(Scene scene, SceneDescription description, Sce
 
     private void RefuseVaryingMedia()
     {
-        if (scene.HasMedia && !scene.HasVaryingMedia && scene.Media.Varying.Length > 0)
+        if (scene.HasMedia && !_integrator.Has(IntegratorTraits.VaryingMedia) && (scene.Media.Varying.Length > 0 || scene.Media.Shine))
         {
+            string what = scene.Media.Varying.Length > 0 ? "vary in space" : "shine";
             builder.Error(
-                description.Render, nameof(Standard.Integrator), $"there are media that vary in space, which {Integrator.Only(IntegratorTraits.VaryingMedia, "show")}: write \"integrator\": {Quotation.Of(Integrator.VolPath.Name)}");
+                description.Render, nameof(Standard.Integrator), $"there are media that {what}, which {Integrator.Only(IntegratorTraits.VaryingMedia, "show")}: write \"integrator\": {Quotation.Of(Integrator.Path.Name)}");
         }
     }
 
@@ -159,7 +160,7 @@ internal sealed class UnseenParts(Scene scene, SceneDescription description, Sce
             builder.Error(
                 builder.DescriptionOf(shape.Material) ?? (object)description,
                 null,
-                $"light from infinitely far away comes through a surface without end that has an inside, where the integrator {_integrator.Name} cannot start light paths: give it an end, or {other.Replace(Integrator.Path.Name, Integrator.VolPath.Name, StringComparison.Ordinal)}");
+                $"light from infinitely far away comes through a surface without end that has an inside, where the integrator {_integrator.Name} cannot start light paths: give it an end, or {other}");
         }
 
         // Where camera paths are followed to their ends, they find all light, if with more noise.
@@ -176,7 +177,7 @@ internal sealed class UnseenParts(Scene scene, SceneDescription description, Sce
         !shape.Bounds.IsFinite && (shape.Material.Traits is { Interior: not null } or { Nesting: not null } or { IsBoundary: true });
 
     private bool Shines() => !scene.Background.IsBlack || scene.Environment is not null || scene.Lights.Count > 0
-        || Array.Exists(scene.Groups, g => g.Traits.Emits) || (!scene.Ambient.IsBlack && _integrator.Has(IntegratorTraits.AmbientLight));
+        || Array.Exists(scene.Groups, g => g.Traits.Emits) || (scene.HasMedia && scene.Media.Shine) || (!scene.Ambient.IsBlack && _integrator.Has(IntegratorTraits.AmbientLight));
 
     // Materials that reflect lights by chance alone.
     private void WarnOfGloss()

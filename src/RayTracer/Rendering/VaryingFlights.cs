@@ -86,7 +86,10 @@ internal sealed unsafe class VaryingFlights
             MaskW arrived = track.Flight.Seek(medium, busy, aboveBase: false);
             if (medium.Emits)
             {
-                Shine(medium, track, arrived, stream, observer);
+                // At each place as much as, on average, the way between two of them.
+                medium.Emission(track.Flight.Place(), out RgbW emission);
+                RgbW light = track.Throughput * emission * (1f / track.Flight.Rate);
+                Shine(light, arrived, track.Path, stream, observer);
             }
 
             MaskW hit = arrived.Any ? Happen(medium, ref track, arrived) : MaskW.None;
@@ -108,15 +111,18 @@ internal sealed unsafe class VaryingFlights
         _count = 0;
     }
 
-    // The light that the medium sends on the way: at each place as much as, on average, the way between two of them.
-    private static void Shine(VaryingMedium medium, in TrackW track, in MaskW arrived, PathStream stream, PathObserver? observer)
+    /// <summary>Adds light that media send to what paths have gathered.</summary>
+    /// <param name="light">The light.</param>
+    /// <param name="among">The paths.</param>
+    /// <param name="index">Their indices in the stream.</param>
+    /// <param name="stream">Their stream.</param>
+    /// <param name="observer">Sees the light; null for nobody.</param>
+    public static void Shine(in RgbW light, in MaskW among, in UIntW index, PathStream stream, PathObserver? observer)
     {
-        medium.Emission(track.Flight.Place(), out RgbW emission);
-        RgbW light = track.Throughput * emission * (1f / track.Flight.Rate);
-        for (uint rest = (arrived & (light.R + light.G + light.B > 0f)).Bits; rest != 0; rest &= rest - 1)
+        for (uint rest = (among & (light.R + light.G + light.B > 0f)).Bits; rest != 0; rest &= rest - 1)
         {
             int lane = BitOperations.TrailingZeroCount(rest);
-            uint path = track.Path[lane];
+            uint path = index[lane];
             Rgb here = new(light.R[lane], light.G[lane], light.B[lane]);
             stream.RadianceR[path] += here.R;
             stream.RadianceG[path] += here.G;

@@ -99,9 +99,14 @@ public sealed unsafe class VertexSamples(Sampler sampler)
     /// </summary>
     /// <param name="probability">That of the second part.</param>
     /// <param name="rest">The rest of the number.</param>
-    public MaskW Choose(in FloatW probability, out FloatW rest)
+    public MaskW Choose(in FloatW probability, out FloatW rest) => Choose(Choice(), probability, out rest);
+
+    /// <summary>Chooses one of two parts by a number, and returns what is left of it.</summary>
+    /// <param name="u">The number.</param>
+    /// <param name="probability">That of the second part.</param>
+    /// <param name="rest">The rest of the number, again spread evenly over [0, 1).</param>
+    internal static MaskW Choose(in FloatW u, in FloatW probability, out FloatW rest)
     {
-        FloatW u = Choice();
         MaskW second = u < probability;
         rest = second.Select(u / probability, (u - probability) / (1f - probability));
         rest = FloatW.Min(rest, LargestBelowOne);

@@ -29,6 +29,9 @@ public sealed class MeshData(Vector3[] positions, int[] indices)
     /// <summary>A linear colour for each corner, which the material's colour is multiplied by; null where there is none.</summary>
     public Rgb[]? Colors { get; init; }
 
+    /// <summary>A second linear colour for each corner, which textures may show; null where there is none.</summary>
+    public Rgb[]? SecondColors { get; init; }
+
     /// <summary>
     /// A tangent for each corner, along growing u, whose fourth number is the sign of the bitangent (glTF 2.0, section 3.7.2.1); null where
     /// there is none.
@@ -41,7 +44,7 @@ public sealed class MeshData(Vector3[] positions, int[] indices)
     /// <summary>The number of the polygon that each triangle is a part of, whose triangles follow one another; null where each is a face of its own.</summary>
     public int[]? FaceOfTriangle { get; init; }
 
-    /// <summary>Further colours that the file has, of which scenes may choose one instead of <see cref="Colors"/>.</summary>
+    /// <summary>Further colours that the file has, of which scenes may choose one instead of <see cref="Colors"/>, and another one as <see cref="SecondColors"/>.</summary>
     public IReadOnlyList<MeshAttribute> Attributes { get; init; } = [];
 }
 

@@ -85,6 +85,10 @@ public sealed record MeshDescription : ShapeDescription
         + "\"vertex_heat\"; of heat_r …, \"vertex_heat_color\". They are linear.")]
     public string ColorAttribute { get; init; } = "";
 
+    /// <summary>The name of the attribute that textures show as second colours; empty for none.</summary>
+    [Parameter("As colorAttribute: further colours, which \"vertexColor\" textures show whose second is true. Not of a mesh that is refined.")]
+    public string SecondColorAttribute { get; init; } = "";
+
     /// <summary>What makes the mesh fine and round.</summary>
     [Parameter("What makes a coarse mesh fine and round: subdivision, creases, displacement.")]
     public RefinementDescription Refinement { get; init; } = new();

@@ -60,12 +60,15 @@ internal sealed class MeshDoctor
         {
             Normals = Normals(indices, turned),
             Uv = Finite(_mesh.Uv, "uv", "uv", v => float.IsFinite(v.X) && float.IsFinite(v.Y)),
-            Colors = Finite(_mesh.Colors, "colour", "colours", c => float.IsFinite(c.R) && float.IsFinite(c.G) && float.IsFinite(c.B) && c.R >= 0 && c.G >= 0 && c.B >= 0),
+            Colors = Finite(_mesh.Colors, "colour", "colours", IsColor),
+            SecondColors = Finite(_mesh.SecondColors, "second colour", "second colours", IsColor),
             Tangents = Finite(_mesh.Tangents, "tangent", "tangents", t => float.IsFinite(t.X) && float.IsFinite(t.Y) && float.IsFinite(t.Z) && float.IsFinite(t.W)),
             MaterialOfTriangle = materials.Length == 0 ? null : materials,
             FaceOfTriangle = _mesh.FaceOfTriangle is { } faces ? [.. _kept.Select(t => t < faces.Length ? faces[t] : -1 - t)] : null,
         };
     }
+
+    private static bool IsColor(Rgb c) => float.IsFinite(c.R) && float.IsFinite(c.G) && float.IsFinite(c.B) && c.R >= 0 && c.G >= 0 && c.B >= 0;
 
     private Vector3 At(int corner) => _mesh.Positions[corner];
 

@@ -105,6 +105,7 @@ internal static unsafe class MeshRefiner
             TexturePointW point = new() { U = FloatW.Load(memory), V = FloatW.Load(memory + 16) };
             point.Local = point.World = new(FloatW.Load(memory + 32), FloatW.Load(memory + 48), FloatW.Load(memory + 64));
             point.VertexColor = new(FloatW.Load(memory + 80), FloatW.Load(memory + 96), FloatW.Load(memory + 112));
+            point.SecondColor = Rgb.White;
             texture.Evaluate(point, out RgbW value);
             for (int lane = 0; lane < count; lane++)
             {

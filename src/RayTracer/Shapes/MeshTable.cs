@@ -18,6 +18,7 @@ internal sealed unsafe class MeshTable : SurfaceTable
     private readonly PinnedArray<Vector3>? _normals;
     private readonly PinnedArray<Vector2>? _uv;
     private readonly PinnedArray<Rgb>? _colors;
+    private readonly PinnedArray<Rgb>? _secondColors;
     private readonly PinnedArray<Vector4>? _tangents;
 
     private MeshTable(MeshData data)
@@ -28,6 +29,7 @@ internal sealed unsafe class MeshTable : SurfaceTable
         _normals = data.Normals is null ? null : new(data.Normals);
         _uv = data.Uv is null ? null : new(data.Uv);
         _colors = data.Colors is null ? null : new(data.Colors);
+        _secondColors = data.SecondColors is null ? null : new(data.SecondColors);
         _tangents = data.Tangents is null ? null : new(data.Tangents);
     }
 
@@ -38,8 +40,11 @@ internal sealed unsafe class MeshTable : SurfaceTable
     public override bool HasTint => _colors is not null;
 
     /// <inheritdoc/>
+    public override bool HasSecondTint => _secondColors is not null;
+
+    /// <inheritdoc/>
     public override long MemoryBytes =>
-        _positions.Bytes + _indices.Bytes + (_normals?.Bytes ?? 0) + (_uv?.Bytes ?? 0) + (_colors?.Bytes ?? 0) + (_tangents?.Bytes ?? 0);
+        _positions.Bytes + _indices.Bytes + (_normals?.Bytes ?? 0) + (_uv?.Bytes ?? 0) + (_colors?.Bytes ?? 0) + (_secondColors?.Bytes ?? 0) + (_tangents?.Bytes ?? 0);
 
     /// <summary>The corners.</summary>
     public ReadOnlySpan<Vector3> Positions => _positions.Values;
@@ -115,6 +120,12 @@ internal sealed unsafe class MeshTable : SurfaceTable
         {
             Vec3W tint = Mix(_colors.Pointer, i, j, k, b, c);
             surface.Tint = new(tint.X, tint.Y, tint.Z);
+        }
+
+        if (_secondColors is not null)
+        {
+            Vec3W tint = Mix(_secondColors.Pointer, i, j, k, b, c);
+            surface.SecondTint = new(tint.X, tint.Y, tint.Z);
         }
 
         if (needsUv)
@@ -195,7 +206,8 @@ internal sealed unsafe class MeshTable : SurfaceTable
         int[] indices = new int[checked(meshes.Sum(m => m.Data.Indices.Length))];
         Vector3[]? normals = meshes.Any(m => m.Data.Normals is not null) ? new Vector3[corners] : null;
         Vector2[]? uv = meshes.Any(m => m.Data.Uv is not null) ? new Vector2[corners] : null;
-        Rgb[]? colors = meshes.Any(m => m.Data.Colors is not null) ? new Rgb[corners] : null;
+        Rgb[]? colors = Whites(meshes, corners, d => d.Colors);
+        Rgb[]? secondColors = Whites(meshes, corners, d => d.SecondColors);
         Vector4[]? tangents = meshes.Any(m => m.Data.Tangents is not null) ? new Vector4[corners] : null;
         (int corner, int index) = (0, 0);
         foreach (PlacedMesh mesh in meshes)
@@ -206,12 +218,8 @@ internal sealed unsafe class MeshTable : SurfaceTable
             Map(data.Positions, positions, corner, place.Point);
             Map(data.Normals, normals, corner, NormalMap(place, inverse));
             data.Uv?.CopyTo(uv!, corner);
-            if (colors is not null)
-            {
-                Array.Fill(colors, Rgb.White, corner, length);
-                data.Colors?.CopyTo(colors, corner);
-            }
-
+            data.Colors?.CopyTo(colors!, corner);
+            data.SecondColors?.CopyTo(secondColors!, corner);
             Map(data.Tangents, tangents, corner, t => new Vector4(Unit(place.Vector(new(t.X, t.Y, t.Z))), t.W));
 
             // A map that mirrors changes the direction in which the corners go round.
@@ -226,7 +234,20 @@ internal sealed unsafe class MeshTable : SurfaceTable
             index += data.Indices.Length;
         }
 
-        return new(positions, indices) { Normals = normals, Uv = uv, Colors = colors, Tangents = tangents };
+        return new(positions, indices) { Normals = normals, Uv = uv, Colors = colors, SecondColors = secondColors, Tangents = tangents };
+    }
+
+    // Corners of meshes without colours are white where others have some.
+    private static Rgb[]? Whites(IReadOnlyList<PlacedMesh> meshes, int corners, Func<MeshData, Rgb[]?> colors)
+    {
+        if (!meshes.Any(m => colors(m.Data) is not null))
+        {
+            return null;
+        }
+
+        Rgb[] whites = new Rgb[corners];
+        Array.Fill(whites, Rgb.White);
+        return whites;
     }
 
     // Where lengths change differently, normals keep the lengths that they come to: so those between corners are the same as of an instance, which

@@ -8,7 +8,7 @@ internal static class MeshVariant
 {
     /// <summary>True where nothing changes.</summary>
     public static bool IsOwn(MeshDescription wanted) =>
-        wanted is { Shading: MeshShading.Own, FlipNormals: false, FlipV: false, IgnoreColors: false, ColorAttribute: "", Refinement.MovesCorners: false };
+        wanted is { Shading: MeshShading.Own, FlipNormals: false, FlipV: false, IgnoreColors: false, ColorAttribute: "", SecondColorAttribute: "", Refinement.MovesCorners: false };
 
     /// <summary>The triangles as they are wanted; the same ones where they are.</summary>
     public static MeshData Of(MeshData mesh, MeshDescription wanted)
@@ -24,30 +24,36 @@ internal static class MeshVariant
             MeshShading.Smooth => mesh.Normals ?? SmoothNormals(mesh),
             _ => mesh.Normals,
         };
-        MeshAttribute? attribute = mesh.Attributes.FirstOrDefault(a => a.Name == wanted.ColorAttribute);
+        MeshAttribute? first = mesh.Attributes.FirstOrDefault(a => a.Name == wanted.ColorAttribute);
+        MeshAttribute? second = mesh.Attributes.FirstOrDefault(a => a.Name == wanted.SecondColorAttribute);
         MeshData variant = new(mesh.Positions, wanted.FlipNormals ? Turned(mesh.Indices) : mesh.Indices)
         {
             Normals = wanted.FlipNormals && normals is not null ? [.. normals.Select(n => -n)] : normals,
             Uv = wanted.FlipV && mesh.Uv is not null ? [.. mesh.Uv.Select(uv => new Vector2(uv.X, 1 - uv.Y))] : mesh.Uv,
-            Colors = wanted.IgnoreColors ? null : attribute is { IsOfTriangles: false } ? attribute.Values : mesh.Colors,
+            Colors = wanted.IgnoreColors ? null : first is { IsOfTriangles: false } ? first.Values : mesh.Colors,
+            SecondColors = second is { IsOfTriangles: false } ? second.Values : null,
             Tangents = wanted.FlipV || wanted.FlipNormals ? null : mesh.Tangents,
             MaterialOfTriangle = mesh.MaterialOfTriangle,
             FaceOfTriangle = mesh.FaceOfTriangle,
         };
-        return attribute is { IsOfTriangles: true } ? Apart(variant, attribute.Values) : variant;
+        Rgb[]? colors = first is { IsOfTriangles: true } ? first.Values : null;
+        Rgb[]? others = second is { IsOfTriangles: true } ? second.Values : null;
+        return (colors ?? others) is null ? variant : Apart(variant, colors, others);
     }
 
-    // Triangles that share no corner, so that each has its colour.
-    private static MeshData Apart(MeshData mesh, Rgb[] colors)
+    // Triangles that share no corner, so that each has its colours.
+    private static MeshData Apart(MeshData mesh, Rgb[]? colors, Rgb[]? others)
     {
-        int[] corners = [.. mesh.Indices.Where((_, i) => i / 3 < colors.Length)];
+        int count = int.Min(colors?.Length ?? int.MaxValue, others?.Length ?? int.MaxValue);
+        int[] corners = [.. mesh.Indices.Where((_, i) => i / 3 < count)];
         T[]? Each<T>(T[]? values) => values is null ? null : [.. corners.Select(c => (uint)c < (uint)values.Length ? values[c] : default!)];
         bool AreThere(int triangle) => AreCorners(corners.AsSpan(3 * triangle, 3), mesh.Positions.Length);
         return new(Each(mesh.Positions)!, [.. Enumerable.Range(0, corners.Length).Select(i => AreThere(i / 3) ? i : int.MaxValue)])
         {
             Normals = Each(mesh.Normals),
             Uv = Each(mesh.Uv),
-            Colors = [.. corners.Select((_, i) => colors[i / 3])],
+            Colors = colors is null ? Each(mesh.Colors) : [.. corners.Select((_, i) => colors[i / 3])],
+            SecondColors = others is null ? Each(mesh.SecondColors) : [.. corners.Select((_, i) => others[i / 3])],
             Tangents = Each(mesh.Tangents),
             MaterialOfTriangle = mesh.MaterialOfTriangle,
         };

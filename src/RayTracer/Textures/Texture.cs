@@ -68,7 +68,7 @@ public abstract class Texture(TextureInputs inputs = TextureInputs.Uv)
         if ((inputs & TextureInputs.BeyondUv) != TextureInputs.None)
         {
             at.Local = at.World = new(u, v, 0f);
-            at.VertexColor = Rgb.White;
+            at.VertexColor = at.SecondColor = Rgb.White;
         }
 
         Evaluate(at, out color);
@@ -85,6 +85,7 @@ public abstract class Texture(TextureInputs inputs = TextureInputs.Uv)
             at.Local = surface.Local;
             at.World = surface.Point;
             at.VertexColor = surface.Tint;
+            at.SecondColor = surface.SecondTint;
         }
     }
 }

@@ -18,6 +18,9 @@ public struct TexturePointW
 
     /// <summary>The vertex colour of the surface; set only for <see cref="TextureInputs.VertexColor"/>.</summary>
     public RgbW VertexColor;
+
+    /// <summary>The second vertex colour of the surface; set only for <see cref="TextureInputs.SecondColor"/>.</summary>
+    public RgbW SecondColor;
 }
 
 /// <summary>The inputs that a texture's colours depend on.</summary>
@@ -39,6 +42,9 @@ public enum TextureInputs
     /// <summary>On the colours of a mesh's corners.</summary>
     VertexColor = 8,
 
+    /// <summary>On the second colours of a mesh's corners.</summary>
+    SecondColor = 16,
+
     /// <summary>On more than uv, which is all that lights know of a point.</summary>
-    BeyondUv = ObjectPoint | WorldPoint | VertexColor,
+    BeyondUv = ObjectPoint | WorldPoint | VertexColor | SecondColor,
 }

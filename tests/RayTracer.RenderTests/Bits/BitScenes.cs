@@ -24,6 +24,9 @@ internal static class BitScenes
     /// <summary>Panes, masks and a cloud that are no bounce.</summary>
     public const string StraightThrough = "straight-through";
 
+    /// <summary>Media that scatter by other phase functions or shine, by path, and thin sheets.</summary>
+    public const string Phases = "phases";
+
     private const string Everything = "everything-";
     private const string Split = "split/";
     private const string LightPath = "light-paths-";
@@ -144,9 +147,28 @@ internal static class BitScenes
         }
         """;
 
+    private const string Haze = """
+        {
+          "camera": { "position": [0, 1.2, 5], "lookAt": [0, 0.8, 0], "fieldOfView": 40 },
+          "render": { "width": 32, "height": 24, "samplesPerPixel": 4, "integrator": "path" },
+          "background": [0.1, 0.15, 0.2],
+          "shapes": [
+            { "type": "plane", "point": [0, 0, 0], "normal": [0, 1, 0], "material": { "type": "diffuse", "color": 0.6 } },
+            { "type": "box", "a": [-2, 0.1, -1.5], "b": [2, 2.2, 1.5], "material": { "type": "invisible", "interior": { "extinction": [0.2, 0.3, 0.5], "albedo": 0.9, "emission": [0.01, 0.02, 0],
+              "phase": { "shape": "mix", "weight": 0.9, "weightGrid": { "size": [3, 1, 1], "values": [0, 0.5, 1], "box": [[-2, 0, -1], [2, 2, 1]] },
+                "first": { "shape": "rayleigh" }, "second": { "shape": "table", "values": [2, 0.5, 0, 1, 8] } } } } },
+            { "type": "sphere", "center": [-0.8, 0.8, 0], "radius": 0.5, "material": { "type": "invisible", "interior": { "extinction": [3, 2, 1], "albedo": 0.8, "noise": { "box": [[-1.5, 0, -1], [0, 1.5, 1]] },
+              "phase": { "shape": "mix", "first": { "anisotropy": 0.7 }, "second": { "shape": "rayleigh" } } } } },
+            { "type": "rectangle", "corner": [0.2, 0.2, 0.6], "edgeU": [1, 0, -0.6], "edgeV": [0, 1.2, 0], "material": { "type": "thinPrincipled", "baseColor": [0.8, 0.5, 0.3], "roughness": 0.6, "anisotropic": 0.5,
+              "transmission": 0.5, "diffuseTransmission": 0.6, "specularTint": 0.5, "sheen": 0.4, "flatness": 0.5 } },
+            { "type": "sphere", "center": [0, 3, 0.5], "radius": 0.4, "material": { "type": "luminaire", "multiplier": 20 } }
+          ]
+        }
+        """;
+
     /// <summary>Names of all scenes.</summary>
     public static IReadOnlyList<string> All { get; } =
-        [.. Report, .. Samplers, .. Splitting, "shapes", "cornell", Hills, DispersingShadows, WrappedBoundaries, MeshLamps, LampBehindPane, StraightThrough, .. Folders.SelectMany(In)];
+        [.. Report, .. Samplers, .. Splitting, "shapes", "cornell", Hills, DispersingShadows, WrappedBoundaries, MeshLamps, LampBehindPane, StraightThrough, Phases, .. Folders.SelectMany(In)];
 
     /// <summary>Names of scenes that are guided.</summary>
     public static string[] Guided => ["guided/screen"];

@@ -12,6 +12,7 @@ public class MediumTests
     [InlineData("""{ "type": "invisible", "interior": { "extinction": [0.5, 2, 8], "albedo": [1, 1, 1], "anisotropy": 0 } }""", 1e-4)]
     [InlineData("""{ "type": "invisible", "interior": { "extinction": [3, 3, 3], "albedo": [1, 1, 1], "anisotropy": 0.8 } }""", 1e-4)]
     [InlineData("""{ "type": "invisible", "interior": { "extinction": [1, 0, 3], "albedo": [1, 1, 1], "anisotropy": -0.5 } }""", 1e-4)]
+    [InlineData("""{ "type": "invisible", "interior": { "extinction": [1, 2, 3], "albedo": [1, 1, 1], "phase": { "shape": "mix", "weight": 1, "weightGrid": { "size": [2, 1, 1], "values": [0, 1], "box": [[-1, -1, -1], [1, 1, 1]] }, "first": { "shape": "rayleigh" }, "second": { "shape": "table", "values": [1, 0, 0, 4] } } } }""", 1e-4)]
     [InlineData("""{ "type": "dielectric", "refractiveIndex": 1.5, "interior": { "extinction": [2, 1, 0.5], "albedo": [1, 1, 1] } }""", 1e-3)]
     public void What_only_scatters_is_not_seen_in_an_even_light(string material, double tolerance)
     {
@@ -44,6 +45,33 @@ public class MediumTests
         Check(SceneRuns.RenderText(Ball(ball, "[1, 1, 1]", inner, fieldOfView: 1e-3), 2), [Math.Exp(-0.75 - 1), Math.Exp(-1.5), Math.Exp(-0.15)]);
     }
 
+    [Theory]
+    [InlineData("path")]
+    [InlineData("volPath")]
+    public void What_shines_is_as_bright_as_the_integral_along_the_ray(string integrator)
+    {
+        // Over a way of 2, (1 - e^(-extinction · 2))/extinction; of a light behind, the rest is left.
+        const string flame = """{ "type": "invisible", "interior": { "extinction": [0, 0.5, 4], "emission": [1, 0.5, 3] } }""";
+        string scene = Ball(flame, "[0, 0, 1]", "", fieldOfView: 1e-3).Replace("volPath", integrator, StringComparison.Ordinal);
+        Check(SceneRuns.RenderText(scene, 2), [2, 1 - Math.Exp(-1), (0.75 * (1 - Math.Exp(-8))) + Math.Exp(-8)]);
+        const string thin = """{ "type": "invisible", "interior": { "extinction": [1e-7, 1e-3, 0.0149], "emission": [0.5, 0.5, 0.5] } }""";
+        Check(SceneRuns.RenderText(Ball(thin, "[0, 0, 0]", "", fieldOfView: 1e-3), 2), [1, 0.5 * (1 - Math.Exp(-2e-3)) / 1e-3, 0.5 * (1 - Math.Exp(-0.0298)) / 0.0149]);
+    }
+
+    [Theory]
+    [InlineData("""{ "type": "invisible", "interior": { "extinction": [0.5, 2, 8], "albedo": [0.8, 0.5, 0], "emission": [0.1, 1, 8], "anisotropy": 0.3 } }""")]
+    [InlineData("""{ "type": "invisible", "interior": { "extinction": [0.5, 2, 8], "emission": [0.5, 2, 8] } }""")]
+    public void What_shines_as_much_as_it_absorbs_is_not_seen_in_an_even_light(string material)
+    {
+        ImageSamples images = SceneRuns.RenderText(Ball(material, "[1, 1, 1]", ""), s_seeds);
+        for (int channel = 0; channel < 3; channel++)
+        {
+            BlockEstimate all = images.Estimate(new(0, 0, images.Width, images.Height), channel);
+            Assert.InRange(all.Mean, 1 - 1e-4 - (6 * Math.Sqrt(all.Variance)), 1 + 1e-4 + (6 * Math.Sqrt(all.Variance)));
+            Assert.True(Math.Sqrt(all.Variance) < 0.01);
+        }
+    }
+
     [Fact]
     public void Shadows_of_media_are_as_dark_as_Beers_law_says()
     {
@@ -68,20 +96,25 @@ public class MediumTests
     }
 
     [Theory]
-    [InlineData(0)]
-    [InlineData(0.7)]
-    [InlineData(-0.6)]
-    public void A_thin_cloud_scatters_once_as_the_phase_function_says(double anisotropy)
+    [InlineData("\"anisotropy\": 0", 1)]
+    [InlineData("\"anisotropy\": 0.7", 0.2804082)]
+    [InlineData("\"anisotropy\": -0.6", 0.4035261)]
+    [InlineData("\"phase\": { \"anisotropy\": 0.7 }", 0.2804082)]
+    [InlineData("\"phase\": { \"shape\": \"rayleigh\" }", 0.75)]
+    [InlineData("\"phase\": { \"shape\": \"table\", \"values\": [1, 2, 6] }", 2 / 2.75)]
+    [InlineData("\"phase\": { \"shape\": \"mix\", \"weight\": 0.2, \"first\": { \"shape\": \"rayleigh\" }, \"second\": { \"anisotropy\": 0.7 } }", (0.8 * 0.75) + (0.2 * 0.2804082))]
+    public void A_thin_cloud_scatters_once_as_the_phase_function_says(string scattering, double beside)
     {
-        // Light along +x meets a thin ball; seen along -z, the light that is scattered by a right angle: extinction · albedo · way · phase(0) · irradiance.
+        // Light along +x meets a thin ball; seen along -z, the light that is scattered by a right angle: extinction · albedo · way · phase(0) · irradiance. Of Henyey and Greenstein's,
+        // that is (1 - g²)/(1 + g²)^1.5 of what is scattered evenly.
         string scene = $$"""
             { "camera": { "position": [0, 0, 5], "lookAt": [0, 0, 0], "fieldOfView": 0.01 },
               "render": { "width": 4, "height": 4, "samplesPerPixel": 256, "integrator": "volPath", "maxDepth": 2 },
               "lights": [{ "type": "directional", "direction": [1, 0, 0], "irradiance": [1, 1, 1] }],
-              "shapes": [{ "type": "sphere", "center": [0, 0, 0], "radius": 1, "material": { "type": "invisible", "interior": { "extinction": [0.02, 0.02, 0.02], "albedo": [1, 0.5, 0.25], "anisotropy": {{anisotropy.ToString(System.Globalization.CultureInfo.InvariantCulture)}} } } }] }
+              "shapes": [{ "type": "sphere", "center": [0, 0, 0], "radius": 1, "material": { "type": "invisible", "interior": { "extinction": [0.02, 0.02, 0.02], "albedo": [1, 0.5, 0.25], {{scattering}} } } }] }
             """;
         ImageSamples images = SceneRuns.RenderText(scene, s_seeds);
-        double phase = (1 - (anisotropy * anisotropy)) / (4 * Math.PI * Math.Pow(1 + (anisotropy * anisotropy), 1.5));
+        double phase = beside / (4 * Math.PI);
 
         // Out of the depth z of the ball's diameter, on the way there and from the light, the rest is lost: integrated by the midpoint rule.
         const int steps = 2000;

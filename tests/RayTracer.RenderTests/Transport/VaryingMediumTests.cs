@@ -91,13 +91,14 @@ public sealed class VaryingMediumTests : IDisposable
     }
 
     [Theory]
-    [InlineData("[3, 3, 3]", 1, 0.6)]
-    [InlineData("[0.5, 2, 8]", 1, 0)]
-    [InlineData("[4, 2, 1]", 3, -0.3)]
-    public void What_only_scatters_is_not_seen_in_an_even_light(string extinction, int channels, double anisotropy)
+    [InlineData("[3, 3, 3]", 1, "\"anisotropy\": 0.6")]
+    [InlineData("[0.5, 2, 8]", 1, "\"anisotropy\": 0")]
+    [InlineData("[4, 2, 1]", 3, "\"anisotropy\": -0.3")]
+    [InlineData("[4, 2, 1]", 1, "\"phase\": { \"shape\": \"mix\", \"first\": { \"shape\": \"rayleigh\" }, \"second\": { \"shape\": \"table\", \"values\": [1, 0, 5] }, \"weightGrid\": { \"size\": [1, 2, 1], \"values\": [0, 2], \"box\": [[-1, -1, -1], [1, 1, 1]] } }")]
+    public void What_only_scatters_is_not_seen_in_an_even_light(string extinction, int channels, string scattering)
     {
         string file = Grid("clouds.vol", 9, 7, 11, Uneven, channels);
-        string medium = $$"""{ "extinction": {{extinction}}, "albedo": [1, 1, 1], "anisotropy": {{anisotropy.ToString(CultureInfo.InvariantCulture)}}, "density": { "file": "{{file}}", {{Box}} } }""";
+        string medium = $$"""{ "extinction": {{extinction}}, "albedo": [1, 1, 1], {{scattering}}, "density": { "file": "{{file}}", {{Box}} } }""";
         Check(SceneRuns.RenderText(Ball(medium, "[1, 1, 1]"), s_seeds), [1, 1, 1]);
     }
 

@@ -107,7 +107,7 @@ public sealed class SceneLoaderTests : IDisposable
     [InlineData("path", "\"render\": { \"integrator\": \"INTEGRATOR\", \"straightThrough\": true }", "\"straightThrough\" has no effect with the integrator path: leave it out, or write \"integrator\": \"volPath\" under \"render\"")]
     [InlineData("path", "\"render\": { \"integrator\": \"INTEGRATOR\", \"occlusionDistance\": 2 }", "\"occlusionDistance\" has no effect with the integrator path: leave it out, or write \"integrator\": \"ao\" under \"render\"")]
     [InlineData("report", "\"render\": { \"integrator\": \"INTEGRATOR\" }, \"shapes\": [{ \"type\": \"sphere\", \"center\": [0, 0, 0], \"material\": { \"type\": \"dielectric\", \"priority\": 1 } }]", "there are dielectrics with priorities, which only the path, direct, volPath, light, bidirectional, photons and vcm integrators support")]
-    [InlineData("path", "\"render\": { \"integrator\": \"INTEGRATOR\" }, \"shapes\": [{ \"type\": \"sphere\", \"center\": [0, 0, 0], \"material\": { \"type\": \"mask\", \"material\": { \"type\": \"diffuse\" }, \"interior\": { \"extinction\": [1, 1, 1] } } }]", "there are media inside shapes, which only the volPath, light, bidirectional, photons and vcm integrators show")]
+    [InlineData("direct", "\"render\": { \"integrator\": \"INTEGRATOR\" }, \"shapes\": [{ \"type\": \"sphere\", \"center\": [0, 0, 0], \"material\": { \"type\": \"mask\", \"material\": { \"type\": \"diffuse\" }, \"interior\": { \"extinction\": [1, 1, 1] } } }]", "there are media inside shapes, which only the path, volPath, light, bidirectional, photons and vcm integrators show")]
     public void What_an_integrator_does_not_know_is_warned_of(string integrator, string scene, string warning)
     {
         SceneLoadResult result = SceneLoader.Load(Write($"{{ \"background\": \"white\", {scene.Replace("INTEGRATOR", integrator, StringComparison.Ordinal)} }}"));
@@ -145,6 +145,7 @@ public sealed class SceneLoaderTests : IDisposable
     [InlineData("BALL, \"lights\": [{ \"type\": \"point\", \"position\": [0, 0.5, 0] }] }", 0, null)]
     [InlineData("BALL, \"lights\": [{ \"type\": \"point\", \"position\": [0, 5, 0] }] }", 27, "the camera is inside of an opaque thing without a light, so the picture is black")]
     [InlineData("GLASS }", 0, null)]
+    [InlineData("{ \"shapes\": [{ \"type\": \"sphere\", \"center\": [0, 0, 0], \"material\": { \"type\": \"invisible\", \"interior\": { \"emission\": 1 } } }] }", 0, null)]
     public void Pictures_that_are_black_are_warned_of(string scene, int column, string? warning)
     {
         const string ball = "{ \"camera\": { \"position\": [0, 0, 0.5] }, \"background\": \"white\", \"shapes\": [{ \"type\": \"sphere\", \"center\": [0, 0, 0]";

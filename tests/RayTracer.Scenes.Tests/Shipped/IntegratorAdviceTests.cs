@@ -10,7 +10,7 @@ public sealed class IntegratorAdviceTests
     [Theory]
     [InlineData("cornell", "path", "no glass or mirror")]
     [InlineData("gallery/grove", "path", "no glass or mirror")]
-    [InlineData("media/01-milk-and-fog", "volPath", "it shows media")]
+    [InlineData("media/01-milk-and-fog", "volPath", "no glass or mirror")]
     [InlineData("media/02-tea", "path", "no glass or mirror")]
     [InlineData("caustics/04-pool", "vcm", "glass or mirrors gather")]
     [InlineData("gallery/prism", "bidirectional", "one at a time")]

@@ -123,6 +123,9 @@ internal sealed record MaterialCase(string Name, Material Material)
         Principled("cloth", new() { BaseColor = Solid(0.3f), Roughness = Solid(0.9f), Sheen = Solid(0.5f), SheenTint = Solid(0.5f), Flatness = Solid(0.5f), SpecularTint = Solid(0.3f) }),
         Principled("principled glass", new() { BaseColor = new UvTexture(), Roughness = Solid(0.6f), Transmission = Solid(1) }) with { Index = 1.5, MeanTolerance = MeanOfTwo, QuadraturePoints = 16 },
         Principled("cloudy glass", new() { BaseColor = Solid(0.4f), Roughness = Solid(0.7f), Transmission = Solid(0.5f), Metallic = Solid(0.2f), Clearcoat = Solid(0.5f), ClearcoatRoughness = Solid(1) }) with { Exponent = 10, Index = 1.5, MeanTolerance = MeanOfTwo, QuadraturePoints = 16 },
+        Sheet("paper", new() { BaseColor = new UvTexture(), Roughness = Solid(0.8f), DiffuseTransmission = Solid(0.6f), Sheen = Solid(0.5f), SheenTint = Solid(0.4f), Flatness = Solid(0.3f), RefractiveIndex = Solid(1.5f) }),
+        Sheet("frosted pane", new() { BaseColor = new UvTexture(), Roughness = Solid(0.7f), Transmission = Solid(1), Anisotropic = Solid(0.4f), SpecularTint = Solid(0.3f), RefractiveIndex = Solid(1.6f) }),
+        Sheet("curtain", new() { BaseColor = Solid(0.7f), Roughness = new UvTexture(), Transmission = Solid(0.4f), DiffuseTransmission = new UvTexture(), RefractiveIndex = Solid(1.3f) }),
         new("boundary of a cloud", new InvisibleMaterial(null)) { Albedo = Rgb.White },
         new("metal lamp", new LuminaireMaterial(new SolidTexture(Rgb.White), 2, 1, Metal(20).Material)) { Exponent = 20 },
     ];
@@ -159,6 +162,9 @@ internal sealed record MaterialCase(string Name, Material Material)
 
     private static MaterialCase Principled(string name, PrincipledTextures textures) =>
         new(name, new PrincipledMaterial(textures, 1.5f)) { Exponent = 4, MeanTolerance = MeanOfTails };
+
+    private static MaterialCase Sheet(string name, PrincipledTextures textures) =>
+        new(name, new ThinPrincipledMaterial(textures)) { Exponent = 4, MeanTolerance = MeanOfTwo, QuadraturePoints = 16 };
 
     private static DiffuseMaterial Diffuse(float r, float g, float b) => new(new SolidTexture(new(r, g, b)));
 

@@ -41,6 +41,9 @@ public sealed class RecordType
     /// <summary>The parameters: the record's own, then those that all of its kind have.</summary>
     public IReadOnlyList<RecordParameter> Parameters { get; }
 
+    // A part of it may be of the same kind.
+    internal bool HoldsItself => Parameters.Any(p => p.RecordType == _type);
+
     /// <summary>The type of a description record.</summary>
     /// <param name="record">The record's C# type. Without a constructor that takes nothing, it cannot be made here, and its parameters have
     /// no defaults.</param>

@@ -38,7 +38,7 @@ public static class SceneTypes
         RecordType.Of(typeof(SolidTextureDescription)).Parameters.First(p => p.PropertyName == nameof(SolidTextureDescription.Color));
 
     private static IEnumerable<RecordType> WithParts(RecordType type) => type.Parameters
-        .Where(p => p.RecordType is not null)
+        .Where(p => p.RecordType is not null && RecordType.Of(p.RecordType) != type)
         .SelectMany(p => WithParts(RecordType.Of(p.RecordType!)))
         .Prepend(type);
 }

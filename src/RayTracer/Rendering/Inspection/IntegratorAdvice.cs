@@ -18,7 +18,7 @@ internal sealed record IntegratorAdvice(Integrator Integrator, string Reason)
     /// <summary>
     /// Returns the advice for a scene: <c>vcm</c> where glass or mirrors gather the light of small lights, the sun among them, or glass stands around a
     /// light; <c>bidirectional</c> where glass parts that light into colours; else
-    /// <c>path</c>, or <c>volPath</c> where there are media.
+    /// <c>path</c>.
     /// </summary>
     /// <param name="scene">The scene.</param>
     public static IntegratorAdvice For(Scene scene)
@@ -28,8 +28,7 @@ internal sealed record IntegratorAdvice(Integrator Integrator, string Reason)
             return new(Integrator.Report, "the scene asks for it, and others give another picture");
         }
 
-        bool hasMedia = Array.Exists(scene.Groups, g => g.Traits.Interior is not null);
-        Integrator fromCamera = hasMedia ? Integrator.VolPath : Integrator.Path;
+        Integrator fromCamera = scene.Render.Integrator == Integrator.VolPath ? Integrator.VolPath : Integrator.Path;
         if (!scene.Camera.CanLink)
         {
             return new(fromCamera, "light paths cannot be connected with a camera of this projection");
@@ -44,8 +43,7 @@ internal sealed record IntegratorAdvice(Integrator Integrator, string Reason)
         return Array.Exists(scene.Groups, g => Focuses(g.Material)) && HasSmallLight(scene)
             ? disperses ? new(Integrator.Bidirectional, "glass parts the light of small lights into its colours, which vcm shows one at a time")
                 : new(Integrator.Vcm, "glass or mirrors gather the light of small lights, and paths from the camera find that by rare chance only")
-            : new(fromCamera, hasMedia ? "it shows media inside shapes, and no glass or mirror gathers the light of small lights"
-                : "no glass or mirror gathers the light of small lights, so paths from the camera find all light");
+            : new(fromCamera, "no glass or mirror gathers the light of small lights, so paths from the camera find all light");
     }
 
     // What sends light of one direction on in one, or nearly so; but not what lets it through as it is.

@@ -73,13 +73,13 @@ internal sealed unsafe class LightQuestions(Scene scene)
     }
 
     /// <summary>What is asked in media.</summary>
-    public List<LightQuestion>[] InMedia(in Vec3W point, in Vec3W incoming, in FloatW anisotropy, in FloatW time)
+    public List<LightQuestion>[] InMedia(in Vec3W point, in Vec3W incoming, in UIntW media, in FloatW time)
     {
         Vec3W arriving = incoming;
-        FloatW mean = anisotropy;
+        (Vec3W place, UIntW stack) = (point, media);
         List<LightQuestion>[] asked = Sample(point, default, time, 1, (int light, in ShapeSampleW sample, in RgbW radiance, MaskW lanes, List<LightQuestion>[] lists) =>
         {
-            FloatW phase = HenyeyGreenstein.Evaluate(Vec3W.Dot(arriving, sample.Direction), mean);
+            FloatW phase = scene.Media.Phase(stack, place, Vec3W.Dot(arriving, sample.Direction));
             Add(light, sample, radiance, new(phase, phase, phase), 1f, phase, sample.InversePdf <= 0f, MaskW.None, MaskW.None, lanes, lists);
         });
         return Placed(asked, point, default, 0f, false, time);

@@ -170,7 +170,7 @@ internal sealed unsafe partial class PathRecorder(Scene scene, bool asks = true)
         UIntW media = UIntW.Pick(stream.Media, index);
         Begin(null, stream, index);
         FloatW time = scene.IsTimed ? FloatW.Pick(stream.Time, index) : 0f;
-        List<LightQuestion>[] asked = _questions.InMedia(point, stream.PickDirection(index), scene.Media.Anisotropy(media), time);
+        List<LightQuestion>[] asked = _questions.InMedia(point, stream.PickDirection(index), media, time);
         for (uint rest = active.Bits; rest != 0; rest &= rest - 1)
         {
             int lane = BitOperations.TrailingZeroCount(rest);

@@ -28,7 +28,7 @@ internal sealed class LightGroups
             Ambient = Number("ambient");
         }
 
-        if (scene.HasVaryingMedia && Array.Exists(scene.Media.Varying, m => m.Medium.Emits))
+        if (scene.HasMedia && scene.Media.Shine)
         {
             Media = Number("media");
         }

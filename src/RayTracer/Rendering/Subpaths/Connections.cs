@@ -78,7 +78,7 @@ internal sealed unsafe class Connections(Scene scene, LightPass pass, Gathering 
                 trace();
             }
 
-            Connect(group > scene.Groups.Length ? ShadingGroup.OfMedia : scene.Groups[group], _order.AsSpan(i, count), rays);
+            Connect(group > scene.Groups.Length ? scene.GroupOfMedia : scene.Groups[group], _order.AsSpan(i, count), rays);
             i += count;
         }
 

@@ -48,7 +48,7 @@ internal abstract unsafe class SubpathShader(ShaderContext context) : InteriorSh
 
     /// <inheritdoc/>
     internal override void Scatter(PathStream stream, PathStream next, uint* members, int count) =>
-        Shade(ShadingGroup.OfMedia, stream, next, members, count);
+        Shade(Scene.GroupOfMedia, stream, next, members, count);
 
     /// <inheritdoc/>
     protected override void Carry(PathStream stream, PathStream next, uint* index, uint going)

@@ -53,7 +53,7 @@ public sealed class LightPathAovTests
         Assert.Equal(new RTracer(scene).Render().Film.ComputeHash(), film.ComputeHash());
         string[] lights = integrator == "report" ? [.. s_lights, "light.ambient"] : s_lights;
         Assert.Equal([.. s_all[..^1].Select(l => l.ToString().ToLowerInvariant()), .. lights], layers.Names);
-        string[] black = integrator == "volPath" ? [] : ["volume"];
+        string[] black = integrator is "path" or "volPath" ? [] : ["volume"];
         Assert.Equal([.. black, .. integrator == "direct" ? ["indirect"] : Array.Empty<string>()], layers.Names.Where((_, i) => Total(film, layers, i) == 0).Order().Reverse());
     }
 

@@ -1,4 +1,5 @@
 using System.Numerics;
+using RayTracer.Media;
 using RayTracer.Numerics;
 using RayTracer.Rendering;
 
@@ -11,6 +12,8 @@ namespace RayTracer.Tests.Rendering;
 /// </summary>
 public sealed class PathWeightsTests
 {
+    private static readonly ShadingGroup s_media = new(new MediumMaterial(new([])), null, -1, isInstanced: false);
+
     private const int CameraPaths = 500;
 
     [Theory]
@@ -208,7 +211,7 @@ public sealed class PathWeightsTests
             return sums;
         }
 
-        private PathWeights At(int vertex) => _isInMedium[vertex] ? _weights.At(ShadingGroup.OfMedia) : _weights;
+        private PathWeights At(int vertex) => _isInMedium[vertex] ? _weights.At(s_media) : _weights;
 
         private bool Has(int vertex, int lane) => (_delta[vertex].Bits >> lane & 1) != 0;
 
