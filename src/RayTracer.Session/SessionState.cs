@@ -29,7 +29,7 @@ public sealed record SessionState(
         PictureView view = session.View;
         return new(
             version, session.Document.Status, session.Selection.Pointer, session.Selection.All, session.Document.Hidden, session.Document.Locked, view.Loop.Status, view.Settings, view.Tone, view.Stops,
-            new(view.Shown is { } shown ? CameraPose.Of(shown.Camera) : null, view.IsSceneCamera, session.Bookmarks.All), session.Snapshots.All,
+            new(view.Shown is { } shown ? CameraPose.Of(shown.Camera) : null, view.IsSceneCamera, view.Shown?.Picture ?? 0, session.Bookmarks.All), session.Snapshots.All,
             session.Recovery.Entries, session.Notices.Newest, session.Mixer.Lights, session.Jobs.Running);
     }
 }

@@ -8,9 +8,10 @@ using RayTracer.Scenes;
 namespace RayTracer.Session;
 
 /// <summary>Where something new is put in a picture: on what is seen there.</summary>
-/// <param name="View">The point and the size.</param>
+/// <param name="View">The place and the size, in round numbers.</param>
+/// <param name="Point">The point that is seen.</param>
 /// <param name="Ground">The unit normal of the surface at the point, towards the eye; null where nothing is seen.</param>
-internal sealed record PlaceInView(SketchView View, Vector3? Ground)
+internal sealed record PlaceInView(SketchView View, Vector3 Point, Vector3? Ground)
 {
     // The part of a new thing's size by which it may miss the surface, and by which a flat one lies above it.
     private const float Exact = 1e-4f;
@@ -39,7 +40,8 @@ internal sealed record PlaceInView(SketchView View, Vector3? Ground)
         float size = Round(height / (8 * toCamera.Vector(Vector3.UnitX).Norm()));
         towards = toWorld.Vector(towards).Unit();
         right = toWorld.Vector(right).Unit();
-        return new(new(Precision.Round(toWorld.Point(local), Exact * size), right, towards.Cross(right).Unit(), towards, size), seen.Normal);
+        SketchView view = new(toWorld.Point(local), right, towards.Cross(right).Unit(), towards, size);
+        return new(view with { Target = view.Snap(view.Target) }, Precision.Round(view.Target, Exact * size), seen.Normal);
     }
 
     /// <summary>A size with one digit, so that new things have round numbers.</summary>
@@ -76,7 +78,7 @@ internal sealed record PlaceInView(SketchView View, Vector3? Ground)
             half *= factor;
         }
 
-        Vector3 way = View.Target - middle;
+        Vector3 way = Point - middle;
         float above = Vector3.Abs(up).Dot(half);
         above = above < Lift * View.Size ? Lift * View.Size : above;
 

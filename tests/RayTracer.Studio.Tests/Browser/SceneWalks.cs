@@ -198,9 +198,9 @@ public class SceneWalks(ChromiumBrowser browser)
         await w.Click(0.66, 0.56);
         await Expect(Row("chrome ball")).ToHaveAttributeAsync("aria-selected", "false");
         await w.Tab("Render");
-        await Expect(w.Page.GetByText("Without effect now: ").First).ToBeVisibleAsync();
-        await w.Page.GetByText("Without effect now: ").First.ClickAsync();
+        await w.Page.GetByText(new System.Text.RegularExpressions.Regex("Without effect now: .*merge radius")).ClickAsync();
         await Expect(w.Page.GetByText("Only with the integrator photons or vcm.")).ToBeVisibleAsync();
+        await w.Page.GetByText("Only with the integrator photons or vcm.").ScrollIntoViewIfNeededAsync();
         await w.Shot("idle", isShown: true);
     }
 

@@ -548,6 +548,7 @@ export interface ViewMap {
 export interface ViewStatus {
   pose: CameraPose | null;
   isSceneCamera: boolean;
+  picture: number;
   bookmarks: ViewBookmark[];
 }
 

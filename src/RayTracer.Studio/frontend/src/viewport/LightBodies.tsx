@@ -21,10 +21,10 @@ const glyphs: Record<string, string> = { point: icons.light, spot: icons.spot, d
 /** Icons of the lights that no ray meets; the selected light's outline and handles. */
 export function LightBodies() {
   const isShown = !cameraMoves.value;
-  const pose = viewState.value?.pose;
+  const shown = viewState.value?.picture;
   useEffect(() => {
     if (isShown) asked.push(null);
-  }, [isShown, pose, documentState.value?.builtRevision, shownFrame.value, placement.value.scale]);
+  }, [isShown, shown, documentState.value?.builtRevision, shownFrame.value, placement.value.scale]);
   if (!isShown || bodies.value.length === 0) return null;
 
   const choose = (pointer: string) => {
