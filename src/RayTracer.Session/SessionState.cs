@@ -5,6 +5,8 @@ namespace RayTracer.Session;
 /// <param name="Document">The document.</param>
 /// <param name="Selection">The pointer of the thing that was selected last; null where there is none.</param>
 /// <param name="Selected">The pointers of all selected things.</param>
+/// <param name="Hidden">The pointers of the things that are left out of the view.</param>
+/// <param name="Locked">The pointers of the things that cannot be picked or dragged in the picture.</param>
 /// <param name="Render">The progress of the picture.</param>
 /// <param name="Settings">The user's settings of the picture.</param>
 /// <param name="Tone">The exposure and tone map of the screen.</param>
@@ -16,7 +18,7 @@ namespace RayTracer.Session;
 /// <param name="Lights">The lights of the picture with factors on their light; null where they are not kept apart.</param>
 /// <param name="Jobs">The jobs that run beside the user's work.</param>
 public sealed record SessionState(
-    long Version, DocumentStatus Document, string? Selection, IReadOnlyList<string> Selected, RenderStatus Render, ViewSettings Settings, Tone Tone, float Stops, ViewStatus View, IReadOnlyList<Snapshot> Snapshots,
+    long Version, DocumentStatus Document, string? Selection, IReadOnlyList<string> Selected, IReadOnlyList<string> Hidden, IReadOnlyList<string> Locked, RenderStatus Render, ViewSettings Settings, Tone Tone, float Stops, ViewStatus View, IReadOnlyList<Snapshot> Snapshots,
     IReadOnlyList<RecoveryEntry> Recovery, Notice? Notice, IReadOnlyList<MixedLight>? Lights, IReadOnlyList<Job> Jobs)
 {
     /// <summary>The state of a session.</summary>
@@ -26,8 +28,8 @@ public sealed record SessionState(
         long version = session.Changes.Version;
         PictureView view = session.View;
         return new(
-            version, session.Document.Status, session.Selection.Pointer, session.Selection.All, view.Loop.Status, view.Settings, view.Tone, view.Stops,
-            new(view.Shown is { } shown ? CameraPose.Of(shown.Camera) : null, view.IsSceneCamera, session.Bookmarks.All), session.Snapshots.All,
+            version, session.Document.Status, session.Selection.Pointer, session.Selection.All, session.Document.Hidden, session.Document.Locked, view.Loop.Status, view.Settings, view.Tone, view.Stops,
+            new(view.Shown is { } shown ? CameraPose.Of(shown.Camera) : null, view.IsSceneCamera, view.Shown?.Picture ?? 0, session.Bookmarks.All), session.Snapshots.All,
             session.Recovery.Entries, session.Notices.Newest, session.Mixer.Lights, session.Jobs.Running);
     }
 }

@@ -21,9 +21,9 @@ public sealed class StudioSession : IDisposable
         Importers.Register();
         folders ??= UserFolders.OfUser();
         _document = new(folders, scenes, time);
-        Edits = new(Document, Selection, Notices);
         Jobs = new(Notices);
         View = new(Document);
+        Edits = new(Document, Selection, Notices, View);
         Camera = new(Document, View);
         Bookmarks = new(Document, View, folders);
         Snapshots = new(View, time ?? TimeProvider.System);

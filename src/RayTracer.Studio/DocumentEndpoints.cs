@@ -27,6 +27,11 @@ internal static class DocumentEndpoints
     internal static T Needed<T>(T? value, string name)
         where T : class => value ?? throw new SessionException($"the request needs \"{name}\"");
 
+    /// <summary>A list of texts that a request must have, each of them.</summary>
+    /// <exception cref="SessionException">It has not.</exception>
+    internal static string[] Needed(string?[]? values, string name) =>
+        values is null || values.Contains(null) ? throw new SessionException($"the request needs \"{name}\", a list of texts") : [.. values.OfType<string>()];
+
     private static void MapReading(RouteGroupBuilder api, StudioSession session)
     {
         SceneDocument document = session.Document;
@@ -73,7 +78,12 @@ internal static class DocumentEndpoints
     private static void MapThings(RouteGroupBuilder api, StudioSession session)
     {
         SceneEdits edits = session.Edits;
-        api.MapPost("/document/add", (Add request) => Pointed(edits.Add(Needed(request.Family, "family"), Needed(request.Type, "type"), request.Near, request.File)));
+        api.MapPost("/document/add", (Add request) => Pointed(edits.Add(Needed(request.Family, "family"), Needed(request.Type, "type"), request.File, request.At)));
+        api.MapPost("/document/apply", (Apply request) =>
+        {
+            string what = Needed(request.Pointer, "pointer");
+            return Results.Json(new { revision = request.At is { } at ? edits.Apply(what, at) : edits.Apply(what, Needed(request.Things, "things")) });
+        });
         api.MapPost("/document/duplicate", (Many request) =>
         {
             (int revision, IReadOnlyList<string> pointers) = edits.Duplicate(Needed(request.Pointers, "pointers"));

@@ -10,7 +10,7 @@ internal static class InspectionEndpoints
     /// <summary>Adds the requests.</summary>
     public static void MapInspection(this RouteGroupBuilder api, StudioSession session)
     {
-        api.MapGet("/pick", (float x, float y) => Picking.At(session.View.RequireShown(), x, y));
+        api.MapGet("/pick", (float x, float y) => Picking.Selectable(session.Document, session.View.RequireShown(), x, y));
         api.MapGet("/paths", (int x, int y, int? first, int? count) => session.Part<PathInspector>().Inspect(x, y, first ?? 0, count ?? 16));
         api.MapGet("/paths/summary", (int x, int y) => session.Part<PathInspector>().Summarize(x, y));
         api.MapGet("/paths/tree", (int x, int y, int sample, int ray, string tree) => session.Part<TreeWalks>().Walk(x, y, sample, ray, tree));

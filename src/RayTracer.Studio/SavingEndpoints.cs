@@ -20,7 +20,7 @@ internal static class SavingEndpoints
     private static void MapPictures(RouteGroupBuilder api, StudioSession session)
     {
         api.MapPost("/save/picture", async (SaveRequest r) =>
-            Started(session, await session.Pictures.Save(session.Pictures.Job(r.Path, r.BitDepth, r.Layers ?? []), r.Overwrite, r.AsSeen)));
+            Started(session, await session.Pictures.Save(session.Pictures.Job(r.Path, r.BitDepth, r.Transparent, r.Layers ?? []), r.Overwrite, r.AsSeen)));
         api.MapGet("/picture", async (string? format, int? bitDepth, string? layers, HttpContext context) =>
         {
             string name = Path.ChangeExtension(session.Document.Place.Name, format ?? "png");
@@ -51,7 +51,7 @@ internal static class SavingEndpoints
 
     private static IResult Started(StudioSession session, int job) => Results.Json(new { job, revision = session.Document.Revision });
 
-    internal sealed record SaveRequest(string Path, int? BitDepth, string[]? Layers, bool Overwrite = false, bool AsSeen = false);
+    internal sealed record SaveRequest(string Path, int? BitDepth, string[]? Layers, bool Overwrite = false, bool AsSeen = false, bool Transparent = false);
 
     internal sealed record PartRequest(int Number, int Count, string? Path, bool Overwrite = false);
 

@@ -25,7 +25,7 @@ internal static class StateEndpoints
     {
         SessionState state = SessionState.Of(session);
         return new(
-            state.Version, state.Document, state.Selection, state.Selected, RenderState.Of(state.Render, state.Settings), new(state.Stops, state.Tone.Exposure.Rule, state.Tone.ToneMap, ToneMaps, ExposureRules),
+            state.Version, state.Document, state.Selection, state.Selected, state.Hidden, state.Locked, RenderState.Of(state.Render, state.Settings), new(state.Stops, state.Tone.Exposure.Rule, state.Tone.ToneMap, ToneMaps, ExposureRules),
             state.View, state.Snapshots, state.Recovery, state.Notice, state.Lights, state.Jobs, session.Timeline.State);
     }
 
@@ -34,7 +34,7 @@ internal static class StateEndpoints
 
 /// <summary>The state of a session as pages get it.</summary>
 internal sealed record StudioState(
-    long Version, DocumentStatus Document, string? Selection, IReadOnlyList<string> Selected, RenderState Render, ToneState Tone, ViewStatus View, IReadOnlyList<Snapshot> Snapshots,
+    long Version, DocumentStatus Document, string? Selection, IReadOnlyList<string> Selected, IReadOnlyList<string> Hidden, IReadOnlyList<string> Locked, RenderState Render, ToneState Tone, ViewStatus View, IReadOnlyList<Snapshot> Snapshots,
     IReadOnlyList<RecoveryEntry> Recovery, Notice? Message, IReadOnlyList<MixedLight>? Lights, IReadOnlyList<Job> Jobs, TimeState Time);
 
 /// <summary>The exposure in stops, who decides on it, the tone map of the screen, and what there is to choose from.</summary>

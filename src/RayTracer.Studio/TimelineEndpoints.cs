@@ -26,6 +26,7 @@ internal static class TimelineEndpoints
                 timeline.Stop();
             }
         });
+        group.MapPost("/record", (RecordRequest r) => timeline.Record(r.IsOn));
         group.MapPost("/key", (DocumentRequests.At r) => Revision(timeline.ToggleKey(Needed(r.Pointer, "pointer"))));
         group.MapPost("/move", (KeysRequest r) => Revision(timeline.MoveKeys(Needed(r.Keys, "keys"), r.Frames, r.Copies, r.Gesture)));
         group.MapPost("/remove", (KeysRequest r) => Revision(timeline.RemoveKeys(Needed(r.Keys, "keys"))));
@@ -35,6 +36,8 @@ internal static class TimelineEndpoints
     private static IResult Revision(int revision) => Results.Json(new { revision });
 
     internal sealed record FrameRequest(int? Frame);
+
+    internal sealed record RecordRequest(bool IsOn);
 
     internal sealed record PlayRequest(bool IsPlaying);
 

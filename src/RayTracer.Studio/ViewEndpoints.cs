@@ -48,10 +48,12 @@ internal static class ViewEndpoints
         view.MapPost("/gizmo", (HandlesRequest request) =>
         {
             ViewportScene shown = session.View.RequireShown();
-            return Gizmo.Find(shown, request.Pointer)?.Handles(CameraFrame.Of(shown), request.Kind, request.Length) ?? new(request.Kind, default, null, []);
+            return (session.Document.IsLocked(request.Pointer) ? null : Gizmo.Find(shown, request.Pointer))?.Handles(CameraFrame.Of(shown), request.Kind, request.Length) ?? new(request.Kind, default, null, []);
         });
         view.MapGet("/lights", () => session.View.Shown is { Camera.Projection.IsStraight: true } shown ? LightBody.Of(shown) : []);
         view.MapPost("/light/drag", (LightDrag drag) => session.LightHandles.Drag(drag));
+        view.MapPost("/hide", (MarkRequest request) => session.Document.Hide(DocumentEndpoints.Needed(request.Pointers, "pointers"), request.IsMarked));
+        view.MapPost("/lock", (MarkRequest request) => session.Document.Lock(DocumentEndpoints.Needed(request.Pointers, "pointers"), request.IsMarked));
         view.MapPost("/drag", (HandleDrag way) => session.Handles.Drag(way));
     }
 
@@ -63,6 +65,8 @@ internal static class ViewEndpoints
     internal sealed record MixRequest(Dictionary<string, float[]>? Factors);
 
     internal sealed record SnapshotRequest(int Id, string? Name);
+
+    internal sealed record MarkRequest(string[]? Pointers, bool IsMarked);
 
     internal sealed record BookmarkRequest(int Id, string? Name);
 

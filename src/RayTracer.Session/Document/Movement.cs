@@ -13,6 +13,10 @@ internal abstract record Movement
     /// <summary>The same movement as it is seen in a space that a map takes to the space in which this is one.</summary>
     public abstract Movement Within(Transform outer);
 
+    /// <summary>That by a map: by a vector where that is all that it does.</summary>
+    public static Movement Of(Transform map) => map is { X: { A: 1, B: 0, C: 0 }, Y: { A: 0, B: 1, C: 0 }, Z: { A: 0, B: 0, C: 1 } }
+        ? new Translation(new((float)map.X.D, (float)map.Y.D, (float)map.Z.D)) : new Matrix(map);
+
     /// <summary>The numbers of a map, row by row.</summary>
     protected static Movement Conjugate(Transform map, Transform outer) => new Matrix(outer.Inverse() * map * outer);
 

@@ -1,4 +1,3 @@
-using System.Globalization;
 using System.Numerics;
 using System.Text.Json.Nodes;
 using RayTracer.Description;
@@ -28,7 +27,7 @@ internal static class NewThing
         right = right.IsFinite() ? right : Vector3.UnitX;
         SceneValue render = scene.Child("render")!;
         float height = CameraMotion.HeightAt(camera, distance, render.Number("width") / render.Number("height"));
-        return new(camera.LookAt, right, towards.Cross(right), towards, Round(height / 8));
+        return new(camera.LookAt, right, towards.Cross(right), towards, PlaceInView.Round(height / 8));
     }
 
     /// <summary>A shape where it is seen at once.</summary>
@@ -46,6 +45,9 @@ internal static class NewThing
 
         return shape;
     }
+
+    /// <summary>Returns whether a shape is made of the material that it is given: what stands in files and objects has materials of its own.</summary>
+    public static bool NeedsMaterial(RecordType type) => !type.IsLight && !type.Parameters.Any(p => p.Required && (p.IsFile || (p.Family == SceneTypes.Shapes && !p.IsList)));
 
     /// <summary>A material, texture or environment with its default values, of which the colour is written.</summary>
     /// <exception cref="SessionException">It needs a file and has none.</exception>
@@ -67,13 +69,6 @@ internal static class NewThing
         }
 
         return thing;
-    }
-
-    // To one digit, so that new things have round numbers.
-    private static float Round(float size)
-    {
-        float round = float.Parse(size.ToString("E0", CultureInfo.InvariantCulture), CultureInfo.InvariantCulture);
-        return round > 0 && float.IsFinite(round) ? round : 1;
     }
 
     // What must be written, what is not as it would be anyway, and all lengths, so that the text says how large it is.

@@ -20,9 +20,11 @@ namespace RayTracer.Session;
 /// <param name="Materials">The named materials.</param>
 /// <param name="Textures">The named textures.</param>
 /// <param name="Objects">The named shapes that only instances show.</param>
+/// <param name="Idle">The parameters that have no effect as the scene is, by their pointers, with the reasons.</param>
 public sealed record Outline(
     int Revision, OutlineNode Camera, OutlineNode Render, OutlineNode Background, OutlineNode Environment, OutlineNode Ambient, IReadOnlyList<OutlineNode> Shapes,
-    IReadOnlyList<OutlineNode> Lights, IReadOnlyList<OutlineNode> Materials, IReadOnlyList<OutlineNode> Textures, IReadOnlyList<OutlineNode> Objects)
+    IReadOnlyList<OutlineNode> Lights, IReadOnlyList<OutlineNode> Materials, IReadOnlyList<OutlineNode> Textures, IReadOnlyList<OutlineNode> Objects,
+    IReadOnlyDictionary<string, string> Idle)
 {
     /// <summary>The outline of a text.</summary>
     public static Outline Of(int revision, JsonNode root)
@@ -40,8 +42,12 @@ public sealed record Outline(
             ListOf(root, scene.Child("lights")!),
             [.. scene.Child("materials")!.Children().Select(m => Definition(root, m, uses))],
             [.. scene.Child("textures")!.Children().Select(t => Definition(root, t, uses))],
-            ListOf(root, scene.Child("objects")!));
+            ListOf(root, scene.Child("objects")!),
+            IdleFields.Of(root));
     }
+
+    /// <summary>The parameters that say what a material or texture mainly looks like; of one, the first that it has.</summary>
+    internal static IReadOnlyList<string> MainKeys { get; } = ["color", "baseColor", "even", "texture", "diffuse", "first", "brick", "front", "material"];
 
     /// <summary>A colour as #rrggbb, in sRGB.</summary>
     internal static string Hex(Rgb color) =>
@@ -110,8 +116,7 @@ public sealed record Outline(
             return ColorOf(thing) is { } color ? Hex(color) : null;
         }
 
-        string[] keys = ["color", "baseColor", "even", "texture", "diffuse", "first", "brick", "front", "material"];
-        if (keys.Select(thing.Child).FirstOrDefault(c => c is not null) is not { } inner)
+        if (MainKeys.Select(thing.Child).FirstOrDefault(c => c is not null) is not { } inner)
         {
             return null;
         }

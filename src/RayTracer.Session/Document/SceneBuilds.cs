@@ -1,3 +1,4 @@
+using RayTracer.Description;
 using RayTracer.Rendering;
 using RayTracer.Scenes;
 
@@ -45,16 +46,22 @@ internal sealed class SceneBuilds(Action built) : IDisposable
         ReferenceEquals(content, _content) ? _diagnostics : PlacedDiagnostic.Of(content.Read, content.Load.Diagnostics));
 
     /// <summary>Asks for a text to be built, instead of all that were asked for and not begun.</summary>
-    public void Want(int revision, string text, Lazy<SceneReadResult> read, string folder, int? frame)
+    /// <param name="revision">The text's revision.</param>
+    /// <param name="text">The text.</param>
+    /// <param name="read">The result of reading it.</param>
+    /// <param name="folder">The folder from which files are looked for.</param>
+    /// <param name="frame">The frame of the animation; null for the scene as it is written.</param>
+    /// <param name="hidden">The pointers of things that are left out.</param>
+    public void Want(int revision, string text, Lazy<SceneReadResult> read, string folder, int? frame, IReadOnlyList<string> hidden)
     {
         lock (_lock)
         {
-            if (_isDisposed || revision < (_wanted?.Revision ?? 1) || (revision == _wanted?.Revision && frame == _wanted.Frame))
+            if (_isDisposed || revision < (_wanted?.Revision ?? 1) || (revision == _wanted?.Revision && frame == _wanted.Frame && hidden.SequenceEqual(_wanted.Hidden)))
             {
                 return;
             }
 
-            _wanted = new(revision, text, read, folder, frame, _epoch);
+            _wanted = new(revision, text, read, folder, frame, hidden, _epoch);
             if (!_isBuilding)
             {
                 _isBuilding = true;
@@ -155,13 +162,14 @@ internal sealed class SceneBuilds(Action built) : IDisposable
     private DocumentContent Build(Order order, GoodScene? lastGood)
     {
         SceneReadResult read = order.Read.Value;
-        SceneReadResult shown = FrameTimes.Read(read, order.Frame);
+        SceneReadResult shown = order.Hidden.Count == 0 ? FrameTimes.Read(read, order.Frame) : SceneReader.ReadText(order.Text, read.Source?.FileName ?? "", frame: order.Frame);
+        SceneDescription? seen = order.Hidden.Count == 0 || shown.Description is not { } all ? shown.Description : HiddenThings.Without(shown, all, order.Hidden);
         SceneLoadResult load;
         FileCache files = _files;
         files.BeginBuild();
         try
         {
-            load = SceneLoader.Build(shown, order.Folder, FrameTimes.Opened(shown, order.Frame), readPicture: (path, raw) => InTime(order, path, () => files.ReadPicture(path, raw)),
+            load = SceneLoader.Build(shown, order.Folder, FrameTimes.Opened(shown, order.Frame, seen), readPicture: (path, raw) => InTime(order, path, () => files.ReadPicture(path, raw)),
                 readModel: path => InTime(order, path, () => files.ReadModel(path)));
         }
         catch (Exception e) when (e is not StackOverflowException)
@@ -169,8 +177,8 @@ internal sealed class SceneBuilds(Action built) : IDisposable
             load = new(null, null, [.. read.Diagnostics, new(read.Source?.FileName ?? "", 0, 0, Severity.Error, $"the scene cannot be built: {e.Message.TrimEnd('.')}")]);
         }
 
-        int? frame = ReferenceEquals(shown, read) && !FrameTimes.IsMoving(read) ? null : order.Frame;
-        GoodScene? good = load.Scene is { } scene ? new(order.Revision, order.Text, shown, scene) { Load = load, Document = order.Epoch, Frame = frame } : lastGood;
+        int? frame = read.Description is not { Animation.Count: > 0 } && !FrameTimes.IsMoving(read) ? null : order.Frame;
+        GoodScene? good = load.Scene is { } scene ? new(order.Revision, order.Text, shown, scene) { Load = load, Document = order.Epoch, Frame = frame, Hidden = order.Hidden, Description = seen! } : lastGood;
         return new(order.Revision, order.Text, read, load, good);
     }
 
@@ -208,7 +216,7 @@ internal sealed class SceneBuilds(Action built) : IDisposable
         }
     }
 
-    private sealed record Order(int Revision, string Text, Lazy<SceneReadResult> Read, string Folder, int? Frame, int Epoch);
+    private sealed record Order(int Revision, string Text, Lazy<SceneReadResult> Read, string Folder, int? Frame, IReadOnlyList<string> Hidden, int Epoch);
 }
 
 /// <summary>A document as it was at one moment: its text, and what the text came to.</summary>
@@ -234,4 +242,10 @@ public sealed record GoodScene(int Revision, string Text, SceneReadResult Read, 
 
     /// <summary>The frame of the animation that it is; null where nothing is animated, and for the scene as it is written.</summary>
     public int? Frame { get; init; }
+
+    /// <summary>The pointers of the things that are left out.</summary>
+    public IReadOnlyList<string> Hidden { get; init; } = [];
+
+    /// <summary>The scene without them.</summary>
+    public SceneDescription Description { get; init; } = Read.Description!;
 }

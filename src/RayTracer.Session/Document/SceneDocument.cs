@@ -16,6 +16,9 @@ public sealed class SceneDocument : IDisposable
     private Lazy<SceneReadResult> _read;
     private DocumentPlace _place;
     private int? _frame = 0;
+    private bool _isRecording;
+    private ThingMarks _hidden = ThingMarks.None;
+    private ThingMarks _locked = ThingMarks.None;
 
     /// <summary>A document that has no file yet.</summary>
     /// <param name="text">Its text.</param>
@@ -71,6 +74,29 @@ public sealed class SceneDocument : IDisposable
 
     /// <summary>The frame of the animation that is shown, and at which edits of animated values write keys; null for the scene as it is written.</summary>
     public int? Frame => _lock.Read(() => _frame);
+
+    /// <summary>Whether what hands change in the picture becomes keys at the frame that is shown.</summary>
+    public bool IsRecording
+    {
+        get => _lock.Read(() => _isRecording);
+
+        internal set
+        {
+            lock (_lock)
+            {
+                (_isRecording, RecordingComplaint) = (value, null);
+            }
+        }
+    }
+
+    /// <summary>Why the last such change is no key; null where it is.</summary>
+    public string? RecordingComplaint { get; private set; }
+
+    /// <summary>The things that are left out of the view.</summary>
+    public IReadOnlyList<string> Hidden => _lock.Read(() => _hidden).Pointers;
+
+    /// <summary>The things that cannot be picked or dragged in the picture.</summary>
+    public IReadOnlyList<string> Locked => _lock.Read(() => _locked).Pointers;
 
     /// <summary>Returns whether there are unsaved changes.</summary>
     public bool IsDirty => _lock.Read(() => !_history.IsSaved);
@@ -151,17 +177,56 @@ public sealed class SceneDocument : IDisposable
         Build();
     }
 
+    /// <summary>Leaves things out of the view, or shows them again; what is written to files has them all the same.</summary>
+    /// <param name="pointers">The things: shapes or lights.</param>
+    /// <param name="areHidden">Whether they shall be hidden.</param>
+    /// <exception cref="SessionException">There is no such thing, or the text is no JSON at the moment.</exception>
+    public void Hide(IEnumerable<string> pointers, bool areHidden)
+    {
+        lock (_lock)
+        {
+            _hidden = _hidden.With(JsonText.Of(_read.Value), pointers, areHidden);
+        }
+
+        Build();
+    }
+
+    /// <summary>Keeps things from being picked or dragged in the picture, or no longer.</summary>
+    /// <param name="pointers">The things: shapes or lights.</param>
+    /// <param name="areLocked">Whether they shall be locked.</param>
+    /// <exception cref="SessionException">There is no such thing, or the text is no JSON at the moment.</exception>
+    public void Lock(IEnumerable<string> pointers, bool areLocked)
+    {
+        lock (_lock)
+        {
+            _locked = _locked.With(JsonText.Of(_read.Value), pointers, areLocked);
+        }
+
+        Changed?.Invoke();
+    }
+
+    /// <summary>Returns whether a thing is locked, or one that it is a part of.</summary>
+    public bool IsLocked(string? pointer) => _lock.Read(() => _locked).Has(pointer);
+
     /// <summary>Changes the text as a whole, as panels and gizmos do. A change of an animated value writes a key at the frame that is shown.</summary>
     /// <param name="label">The change in a word or two, for undo.</param>
     /// <param name="gesture">The gesture that it is a part of; null where it is to be undone by itself.</param>
     /// <param name="change">Makes the new text of the present one; what it throws passes through, and nothing has changed.</param>
     /// <returns>The revision after it.</returns>
     /// <exception cref="SessionException">The text is no JSON at the moment.</exception>
-    public int Change(string label, string? gesture, Func<JsonText, JsonText> change)
+    public int Change(string label, string? gesture, Func<JsonText, JsonText> change) => Change(label, gesture, change, isByHand: false);
+
+    /// <summary>As the other, for changes by a hand in the picture, which are recorded as keys while that is wanted.</summary>
+    /// <param name="label">The change in a word or two, for undo.</param>
+    /// <param name="gesture">The gesture that it is a part of.</param>
+    /// <param name="change">Makes the new text of the present one.</param>
+    /// <param name="isByHand">Whether it is such a change.</param>
+    internal int Change(string label, string? gesture, Func<JsonText, JsonText> change, bool isByHand)
     {
         lock (_lock)
         {
-            if (!TryAccept(KeyedEdit.Apply(JsonText.Of(_read.Value), _frame, change).Text, label, gesture))
+            JsonText text = JsonText.Of(_read.Value);
+            if (!TryAccept((isByHand && _isRecording ? Recorded(text, change) : KeyedEdit.Apply(text, _frame, change)).Text, label, gesture))
             {
                 return _revision;
             }
@@ -187,6 +252,8 @@ public sealed class SceneDocument : IDisposable
         lock (_lock)
         {
             _frame = frame;
+            _hidden = _locked = ThingMarks.None;
+            (_isRecording, RecordingComplaint) = (false, null);
             _text = Normal(text);
             _place = place;
             _revision++;
@@ -222,6 +289,18 @@ public sealed class SceneDocument : IDisposable
     /// <summary>Stops building.</summary>
     public void Dispose() => _builds.Dispose();
 
+    private JsonText Recorded(JsonText text, Func<JsonText, JsonText> change)
+    {
+        if (_frame is { } frame)
+        {
+            (text, RecordingComplaint) = RecordedEdit.Apply(text, frame, change);
+            return text;
+        }
+
+        RecordingComplaint = "The scene is shown as it is written: choose a frame to record keys.";
+        return change(text);
+    }
+
     private void Step(bool undo)
     {
         lock (_lock)
@@ -255,13 +334,19 @@ public sealed class SceneDocument : IDisposable
         _text = text;
         _revision++;
         _read = ReadLater(text, _place.Name);
+        if (_hidden.Pointers.Count + _locked.Pointers.Count > 0 && _read.Value.Root is not null)
+        {
+            // While somebody types, they stay what they were.
+            JsonText now = JsonText.Of(_read.Value);
+            (_hidden, _locked) = (_hidden.In(now), _locked.In(now));
+        }
     }
 
     private void Build()
     {
         lock (_lock)
         {
-            _builds.Want(_revision, _text, _read, _place.Folder, _frame);
+            _builds.Want(_revision, _text, _read, _place.Folder, _frame, _hidden.Pointers);
         }
 
         Changed?.Invoke();

@@ -25,11 +25,18 @@ public static class SceneThings
     /// <param name="text">The text.</param>
     /// <param name="family">shape, light, material, texture or environment.</param>
     /// <param name="type">Its type.</param>
-    /// <param name="near">The thing beside which a shape is put; null for the middle of the picture.</param>
     /// <param name="file">The file of a model or picture; null where there is none.</param>
     /// <returns>The text, and the thing's pointer.</returns>
     /// <exception cref="SessionException">There is no such type, or it lacks something.</exception>
-    public static (JsonText Text, string Pointer) Add(JsonText text, string family, string type, string? near = null, string? file = null)
+    public static (JsonText Text, string Pointer) Add(JsonText text, string family, string type, string? file = null) => Add(text, family, type, file, new(null, null, ""));
+
+    /// <summary>Adds a thing to a picture.</summary>
+    /// <param name="text">The text.</param>
+    /// <param name="family">shape, light, material, texture or environment.</param>
+    /// <param name="type">Its type.</param>
+    /// <param name="file">The file of a model or picture; null where there is none.</param>
+    /// <param name="where">Where shapes are put, and what they are made of.</param>
+    internal static (JsonText Text, string Pointer) Add(JsonText text, string family, string type, string? file, Surroundings where)
     {
         bool isLight = family == "light";
         TypeFamily kind = SceneTypes.Families.FirstOrDefault(f => f.Noun == (isLight ? "shape" : family))
@@ -47,12 +54,19 @@ public static class SceneThings
             return (text.Set(pointer, NewThing.Plain(record, file)), pointer);
         }
 
-        SketchView view = NewThing.View(text.Root) with { Shines = isLight, File = file };
+        SketchView view = (where.Place?.View ?? NewThing.View(text.Root)) with { Shines = isLight, File = file };
         string? objectName = text.Root.Find("objects")?.Members.Select(m => m.Key).FirstOrDefault();
-        JsonObject shape = NewThing.Shape(record, Beside(text, near, view), objectName);
+        JsonObject shape = NewThing.Shape(record, view, objectName);
+        if (!isLight && NewThing.NeedsMaterial(record))
+        {
+            (text, string material) = MaterialFor(text, where.Material);
+            shape["material"] = material;
+        }
+
         string list = isLight ? "/lights" : "/shapes";
         text = text.Set($"{list}/-", shape);
-        return (text, JsonEdit.LastOf(text, list));
+        string added = JsonEdit.LastOf(text, list);
+        return (where.Place is { } place && !record.IsLight ? (place with { View = view }).PutDown(text, added, where.Folder) : text, added);
     }
 
     /// <summary>Copies a thing: a shape to beside it, a definition under another name.</summary>
@@ -185,10 +199,24 @@ public static class SceneThings
     private static IEnumerable<SceneValue> Shapes(JsonNode root) =>
         SceneValue.Scene(root).WithInner().Where(v => v is { Family.Noun: "shape", Node.Kind: JsonKind.Object });
 
-    // In the middle of the picture, or beside another thing.
-    private static SketchView Beside(JsonText text, string? near, SketchView view) =>
-        near is not null && SceneValue.At(text.Root, near) is { Type: not null, Family.Noun: "shape" }
-            ? view with { Target = ShapePlacement.Middle(text, near) + (view.Right * (2 * view.Size)) } : view;
+    // The material that was used last, or a plain one, which the scene may have already.
+    private static (JsonText Text, string Name) MaterialFor(JsonText text, string? last)
+    {
+        string? TypeOf(string name) => SceneValue.At(text.Root, JsonPointer.Of("materials", name)) is { Node: not null } found ? found.Resolved(text.Root).Type?.Name : null;
+        if (last is not null && TypeOf(last) is not (null or "luminaire"))
+        {
+            return (text, last);
+        }
+
+        const string plain = "matt";
+        if (TypeOf(plain) == "diffuse")
+        {
+            return (text, plain);
+        }
+
+        string name = FreeName(text.Root, SceneTypes.Materials, plain);
+        return (text.Set(JsonPointer.Of("materials", name), NewThing.Plain(SceneTypes.Materials.Find("diffuse")!, null)), name);
+    }
 
     private static string FreeName(JsonNode root, TypeFamily family, string name)
     {
@@ -211,3 +239,9 @@ public static class SceneThings
         }
     }
 }
+
+/// <summary>Where new shapes are put, and what they are made of.</summary>
+/// <param name="Place">The place in the picture; null for what the camera in the text looks at.</param>
+/// <param name="Material">The name of the material that was used last; null where none was.</param>
+/// <param name="Folder">The folder from which files are looked for.</param>
+internal sealed record Surroundings(PlaceInView? Place, string? Material, string Folder);

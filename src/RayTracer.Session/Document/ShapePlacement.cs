@@ -14,7 +14,10 @@ public static class ShapePlacement
 {
     /// <summary>Adds a vector.</summary>
     /// <exception cref="SessionException">There is no shape, or it would be moved beyond all numbers.</exception>
-    public static JsonText Translate(JsonText text, string pointer, Vector3 by) => Place(text, pointer, new Movement.Translation(by));
+    public static JsonText Translate(JsonText text, string pointer, Vector3 by) => Translate(text, pointer, by, null);
+
+    /// <summary>The same; of what moves in time, the keyframe at a frame alone.</summary>
+    internal static JsonText Translate(JsonText text, string pointer, Vector3 by, int? frame) => Place(text, pointer, new Movement.Translation(by), frame);
 
     /// <summary>Turns about an axis by the right-hand rule.</summary>
     /// <param name="text">The text.</param>
@@ -23,8 +26,11 @@ public static class ShapePlacement
     /// <param name="degrees">The angle.</param>
     /// <param name="center">A point on the axis; null for the shape's middle.</param>
     /// <exception cref="SessionException">There is no shape, or the axis has no length.</exception>
-    public static JsonText Rotate(JsonText text, string pointer, Vector3 axis, float degrees, Vector3? center = null) => axis.Norm() > 0 && axis.Unit().IsFinite()
-        ? Place(text, pointer, new Movement.Rotation(axis.Unit() is var unit && (axis - unit).Norm() < 1e-6f ? axis : unit, degrees, center ?? Middle(text, pointer)))
+    public static JsonText Rotate(JsonText text, string pointer, Vector3 axis, float degrees, Vector3? center = null) => Rotate(text, pointer, axis, degrees, center, null);
+
+    /// <summary>The same; of what moves in time, the keyframe at a frame alone.</summary>
+    internal static JsonText Rotate(JsonText text, string pointer, Vector3 axis, float degrees, Vector3? center, int? frame) => axis.Norm() > 0 && axis.Unit().IsFinite()
+        ? Place(text, pointer, new Movement.Rotation(axis.Unit() is var unit && (axis - unit).Norm() < 1e-6f ? axis : unit, degrees, center ?? MiddleAt(text, pointer, frame)), frame)
         : throw new SessionException("the axis of a rotation must have a length");
 
     /// <summary>Makes larger or smaller along the axes of the world.</summary>
@@ -33,8 +39,11 @@ public static class ShapePlacement
     /// <param name="factors">The factors, none of them 0; negative ones mirror.</param>
     /// <param name="center">The point that stays; null for the shape's middle.</param>
     /// <exception cref="SessionException">There is no shape, or a factor is 0.</exception>
-    public static JsonText Scale(JsonText text, string pointer, Vector3 factors, Vector3? center = null) => factors.X * factors.Y * factors.Z != 0
-        ? Place(text, pointer, new Movement.Scaling(factors, center ?? Middle(text, pointer)))
+    public static JsonText Scale(JsonText text, string pointer, Vector3 factors, Vector3? center = null) => Scale(text, pointer, factors, center, null);
+
+    /// <summary>The same; of what moves in time, the keyframe at a frame alone.</summary>
+    internal static JsonText Scale(JsonText text, string pointer, Vector3 factors, Vector3? center, int? frame) => factors.X * factors.Y * factors.Z != 0
+        ? Place(text, pointer, new Movement.Scaling(factors, center ?? MiddleAt(text, pointer, frame)), frame)
         : throw new SessionException("no factor of a scaling may be 0");
 
     /// <summary>About where a shape's middle is in the world: for what consists of others, where its own origin is.</summary>
@@ -66,7 +75,11 @@ public static class ShapePlacement
             : new MotionSegment(keys[next - 1].Time, keys[next - 1].Place, keys[next].Time, keys[next].Place).At(time!.Value);
     }
 
-    private static JsonText Place(JsonText text, string pointer, Movement movement)
+    private static Vector3 MiddleAt(JsonText text, string pointer, int? frame) => MiddleAt(text.Root, pointer, TimeOf(text, frame));
+
+    private static double? TimeOf(JsonText text, int? frame) => frame is { } number ? FrameTimes.TimeOf(number, FrameTimes.Rate(text.Root)) : null;
+
+    private static JsonText Place(JsonText text, string pointer, Movement movement, int? frame)
     {
         SceneValue shape = Shape(text.Root, pointer);
         if (!movement.Map.IsInvertible)
@@ -74,11 +87,13 @@ public static class ShapePlacement
             throw new SessionException("the shape would become too large, too small or too far away to compute with");
         }
 
-        Transform outer = Outer(text.Root, pointer, null);
+        Transform outer = Outer(text.Root, pointer, TimeOf(text, frame));
         Movement inner = outer.IsIdentity ? movement : movement.Within(outer);
         if (shape.Child("motion") is { Node.Items.Count: > 0 } motion)
         {
-            return motion.Children().Aggregate(text, (t, frame) => TransformEdit.Append(t, frame.Pointer + "/transform", inner));
+            double rate = FrameTimes.Rate(text.Root);
+            return motion.Children().Where(k => frame is not { } number || FrameTimes.IsAt(k.Number("time"), number, rate))
+                .Aggregate(text, (t, key) => TransformEdit.Append(t, key.Pointer + "/transform", inner));
         }
 
         ShapeDescription record = Record(shape);

@@ -63,7 +63,8 @@ internal static class TransformEdit
     private static JsonText Translate(JsonText text, SceneValue step, Vector3 to) =>
         to == step.Vector("translate") ? text : text.Set(step.Pointer + "/translate", JsonValues.Vector(to));
 
-    private static JsonObject Step(Movement movement)
+    /// <summary>A movement as a step.</summary>
+    internal static JsonObject Step(Movement movement)
     {
         JsonObject step = [];
         Vector3 translate = default;

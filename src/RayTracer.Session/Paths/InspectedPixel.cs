@@ -1,5 +1,6 @@
 using System.Numerics;
 using RayTracer.Numerics;
+using RayTracer.Rendering;
 
 namespace RayTracer.Session;
 
@@ -30,7 +31,17 @@ public sealed record InspectedPath(int Sample, Rgb Radiance, IReadOnlyList<Inspe
 /// <param name="Things">Names of what the part from the light meets.</param>
 /// <param name="Points">From where both parts are joined back to the light.</param>
 public sealed record InspectedWay(
-    int LightVertices, int CameraVertices, string Event, Rgb Radiance, float Weight, IReadOnlyList<string> Things, IReadOnlyList<Vector3> Points);
+    int LightVertices, int CameraVertices, string Event, Rgb Radiance, float Weight, IReadOnlyList<string> Things, IReadOnlyList<Vector3> Points)
+{
+    /// <summary>The factors whose product, with the weight, is the radiance; none where they are not known.</summary>
+    public IReadOnlyList<InspectedFactor> Factors { get; init; } = [];
+}
+
+/// <summary>A factor of the light that a way brings, for people.</summary>
+/// <param name="Kind">What it is.</param>
+/// <param name="Value">Its value; numbers are the same in all channels.</param>
+/// <param name="Divides">True if the light is divided by it.</param>
+public sealed record InspectedFactor(WayFactor Kind, Rgb Value, bool Divides);
 
 /// <summary>A vertex of a light path, for people.</summary>
 /// <param name="Event">"camera", "diffuse", "specular", "emission" (it ends on what shines), "absorbed", "end" (it is given up) or

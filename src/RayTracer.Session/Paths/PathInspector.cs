@@ -81,7 +81,10 @@ public sealed class PathInspector(PictureView view, TextbookReading textbook) : 
             ? [way.CameraEnd, way.LightEnd]
             : [way.CameraEnd, .. way.LightPath.Reverse().Select(v => v.Position), way.LightPath[0].Origin];
         IReadOnlyList<string> things = [.. way.LightPath.Select(v => NameOf(shown, v))];
-        return new(way.LightVertices, way.CameraVertices, EventOf(way), way.Radiance, way.Weight, things, [.. points.OfType<Vector3>().Where(IsFinite)]);
+        return new(way.LightVertices, way.CameraVertices, EventOf(way), way.Radiance, way.Weight, things, [.. points.OfType<Vector3>().Where(IsFinite)])
+        {
+            Factors = [.. way.Factors.Select(f => new InspectedFactor(f.Kind, f.Value, f.Divides))],
+        };
     }
 
     private static bool IsFinite(Vector3 v) => float.IsFinite(v.X) && float.IsFinite(v.Y) && float.IsFinite(v.Z);

@@ -23,11 +23,19 @@ public sealed class PictureSaver(SceneDocument document, PictureView view, JobLi
     /// <param name="bitDepth">PNG: bits a channel; null for 8.</param>
     /// <param name="layers">The names of auxiliary images to write too: as layers of an OpenEXR file, else in files beside it.</param>
     /// <exception cref="SessionException">There are no such images or depths.</exception>
-    public RenderJob Job(string output, int? bitDepth = null, params IEnumerable<string> layers)
+    public RenderJob Job(string output, int? bitDepth = null, params IEnumerable<string> layers) => Job(output, bitDepth, isTransparent: false, layers);
+
+    /// <summary>The same, perhaps without what is behind everything, as <c>--transparent</c> writes it.</summary>
+    public RenderJob Job(string output, int? bitDepth, bool isTransparent, IEnumerable<string> layers)
     {
         if (bitDepth is not (null or 8 or 16))
         {
             throw new SessionException("A PNG is written with 8 or 16 bits per channel.");
+        }
+
+        if (isTransparent && !ImageFormat.Has(Path.GetExtension(output), ImageFeatures.Alpha))
+        {
+            throw new SessionException($"A picture has its background in a file of that kind: write {ImageFormat.Names(ImageFeatures.Alpha)}.");
         }
 
         RenderJob job = _jobs.Saved(output);
@@ -35,13 +43,14 @@ public sealed class PictureSaver(SceneDocument document, PictureView view, JobLi
         {
             Outputs = [output],
             Aovs = [.. layers.Select(name => AuxiliaryImage.Known.Find(name) ?? throw new SessionException($"There is no layer {name}."))],
-            Writing = job.Writing with { BitDepth = bitDepth ?? 8 },
+            Writing = job.Writing with { BitDepth = bitDepth ?? 8, Transparent = isTransparent },
         };
     }
 
     /// <summary>
-    /// Writes the picture so far to the file of its job, beside the user's work. Where another camera than the scene's is looked through, the
-    /// job is rendered, with the scene's camera.
+    /// Writes the picture so far to the file of its job, beside the user's work. Where another camera than the scene's is looked through, or
+    /// something is hidden, the job is rendered, with the scene's camera and all things; so it is where the background is
+    /// left out.
     /// </summary>
     /// <param name="job">The job.</param>
     /// <param name="overwrite">True if a file that is there already may be replaced.</param>
@@ -56,7 +65,14 @@ public sealed class PictureSaver(SceneDocument document, PictureView view, JobLi
         bool isFilm = FilmFile.IsNamed(full);
         job = job with { Outputs = [full] };
         ViewJobs.Check(job, overwrite);
-        if (!asSeen && !view.IsSceneCamera)
+        bool isWhole = view.IsSceneCamera && view.IsWhole;
+        if (asSeen && !isWhole && job.Writing.Transparent)
+        {
+            throw new SessionException("Your view is written with its background: set the scene's camera to it, or write what that sees.");
+        }
+
+        // The film on the screen does not know what of its light is from behind everything.
+        if (job.Writing.Transparent || !(asSeen || isWhole))
         {
             RenderJob shown = _jobs.Shown(full);
             return _jobs.Render($"rendering {Path.GetFileName(full)}", job with { Scene = shown.Scene, Text = shown.Text, IsOfSequence = shown.IsOfSequence }, $"wrote {full}");
@@ -128,7 +144,8 @@ public sealed class PictureSaver(SceneDocument document, PictureView view, JobLi
     private FilmScene SceneOf(ViewportScene taken, string path)
     {
         ViewportScene shown = view.RequireShown();
-        return shown.Picture != taken.Picture ? throw FilmScene.Changing()
+        return taken.Good.Hidden.Count > 0 ? throw new SessionException("A film is of the whole scene: show all things, or write a picture.")
+            : shown.Picture != taken.Picture ? throw FilmScene.Changing()
             : taken.Start?.Header is { } begun ? new(begun.Scene, null)
             : FilmScene.Of(shown, taken.Camera, document.Place, path);
     }
@@ -157,12 +174,13 @@ public sealed class PictureSaver(SceneDocument document, PictureView view, JobLi
 /// <param name="Label">The name that is shown.</param>
 /// <param name="HasDepth">True if bits a channel can be chosen.</param>
 /// <param name="HasLayers">True if it takes auxiliary images.</param>
+/// <param name="HasAlpha">True if what is behind everything can be left out.</param>
 /// <param name="IsFilm">True if it is the film itself, which is only written to files.</param>
-public sealed record PictureFormat(string Value, string Label, bool HasDepth, bool HasLayers, bool IsFilm)
+public sealed record PictureFormat(string Value, string Label, bool HasDepth, bool HasLayers, bool HasAlpha, bool IsFilm)
 {
     /// <summary>The film itself.</summary>
     public static PictureFormat Film { get; } =
-        new(FilmFile.Extension[1..], SessionTexts.Of("formats.rtfilm"), HasDepth: false, HasLayers: false, IsFilm: true);
+        new(FilmFile.Extension[1..], SessionTexts.Of("formats.rtfilm"), HasDepth: false, HasLayers: false, HasAlpha: false, IsFilm: true);
 
     /// <summary>Returns a format of pictures as it is offered.</summary>
     public static PictureFormat Of(ImageFormat format) => new(
@@ -170,5 +188,6 @@ public sealed record PictureFormat(string Value, string Label, bool HasDepth, bo
         format.Name,
         format.Features.HasFlag(ImageFeatures.BitDepth),
         format.Features.HasFlag(ImageFeatures.Layers),
+        format.Features.HasFlag(ImageFeatures.Alpha),
         IsFilm: false);
 }

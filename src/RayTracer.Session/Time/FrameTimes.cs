@@ -18,9 +18,10 @@ internal static class FrameTimes
     public static SceneReadResult Read(SceneReadResult read, int? frame) =>
         frame is not null && read is { Description.Animation.Count: > 0, Source: { } source } ? SceneReader.ReadText(source.Text, source.FileName, frame: frame) : read;
 
-    /// <summary>Opens the shutter at the time of a frame, where something is animated; null where nothing is.</summary>
-    public static Func<SceneDescription, SceneDescription>? Opened(SceneReadResult read, int? frame) =>
-        frame is { } number && (read.Description is { Animation.Count: > 0 } || IsMoving(read)) ? scene => ReadScene.AtFrame(scene, number) : null;
+    /// <summary>Opens the shutter of what is seen of a scene at the time of a frame, where something is animated; null where the scene is seen as it was read.</summary>
+    public static Func<SceneDescription, SceneDescription>? Opened(SceneReadResult read, int? frame, SceneDescription? seen) =>
+        frame is { } number && (read.Description is { Animation.Count: > 0 } || IsMoving(read)) ? scene => ReadScene.AtFrame(seen ?? scene, number)
+        : seen is null || ReferenceEquals(seen, read.Description) ? null : _ => seen;
 
     /// <summary>The frames a second of a scene.</summary>
     public static double Rate(JsonNode root) =>

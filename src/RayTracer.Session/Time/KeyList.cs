@@ -37,6 +37,24 @@ internal static class KeyList
         return Write(text, keys, [.. list.Select(k => (TimeOf(k), Raw(text, k))), (time, JsonLayout.OneLine(key))]);
     }
 
+    /// <summary>Makes sure that a thing that moves has a keyframe at a frame: where it is there. What has no motion stays without.</summary>
+    /// <param name="text">The text.</param>
+    /// <param name="thing">The thing.</param>
+    /// <param name="frame">The frame.</param>
+    public static JsonText WithKeyframe(JsonText text, string thing, int frame)
+    {
+        double rate = FrameTimes.Rate(text.Root);
+        if (SceneValue.At(text.Root, thing) is not { Node: not null } value || value.Child("motion") is not { Node.Items.Count: > 0 } motion
+            || motion.Node.Items.Any(k => FrameTimes.IsAt(TimeOf(k), frame, rate)))
+        {
+            return text;
+        }
+
+        float time = FrameTimes.TimeOf(frame, rate);
+        JsonObject key = new() { ["time"] = time, ["transform"] = TransformEdit.Step(Movement.Of(ShapePlacement.MotionAt(value, time))) };
+        return Write(text, motion.Pointer, [.. motion.Node.Items.Select(k => (TimeOf(k), Raw(text, k))), (time, JsonLayout.OneLine(key))]);
+    }
+
     /// <summary>Moves keys in time, or puts copies of them at other times.</summary>
     /// <param name="text">The text.</param>
     /// <param name="keys">The pointer of the list.</param>

@@ -22,10 +22,8 @@ internal static class KeyedEdit
             return change(text);
         }
 
-        SceneReadResult then = FrameTimes.Read(read, number);
-        List<Animated> animated = [.. Tracks(text.Root).Select((address, i) => Animated.Of(text, then.Root!, address, i)).OfType<Animated>()];
-        JsonText baked = animated.Aggregate(text, (t, a) => t.Set(a.Pointer, a.Whole));
-        JsonText edited = change(baked);
+        IReadOnlyList<Animated> animated = At(text, read, number);
+        JsonText edited = change(Baked(text, animated));
         List<(Animated Track, Json Value)> changed = IsSameTracks(text, edited)
             ? [.. animated.Select(a => (a, Value: ValueAt(edited.Root, a.Address))).Where(c => c.Value is not null && !IsSame(c.Value, c.a.Value)).Select(c => (c.a, c.Value!))] : [];
         if (changed.Count == 0)
@@ -37,6 +35,12 @@ internal static class KeyedEdit
         return changed.Aggregate(restored, (t, c) => KeyList.Set(t, $"/animation/{c.Track.Number}/keys", number, c.Value));
     }
 
+    /// <summary>A text with the values of its tracks at a frame.</summary>
+    /// <param name="text">The text.</param>
+    /// <param name="frame">The frame.</param>
+    public static JsonText At(JsonText text, int frame) =>
+        SceneReader.ReadText(text.Text, "") is { Description.Animation.Count: > 0 } read ? Baked(text, At(text, read, frame)) : text;
+
     /// <summary>The places of what the tracks animate, in their order; null for a track that leads nowhere.</summary>
     public static IEnumerable<PropertyAddress?> Tracks(JsonNode root) => (root.Find("animation") is { Kind: JsonKind.Array } list ? list.Items : [])
         .Select(track => track.Find("property") is { Kind: JsonKind.String } property ? PropertyAddress.Find(root, property.Text) : null);
@@ -46,6 +50,14 @@ internal static class KeyedEdit
 
     /// <inheritdoc cref="ValueAt(JsonNode, PropertyAddress)"/>
     public static Json? ValueAt(JsonNode root, string pointer) => JsonPointer.Find(root, pointer) is { } node ? Short(JsonValues.Of(node)) : null;
+
+    private static IReadOnlyList<Animated> At(JsonText text, SceneReadResult read, int frame)
+    {
+        JsonNode then = FrameTimes.Read(read, frame).Root!;
+        return [.. Tracks(text.Root).Select((address, i) => Animated.Of(text, then, address, i)).OfType<Animated>()];
+    }
+
+    private static JsonText Baked(JsonText text, IReadOnlyList<Animated> animated) => animated.Aggregate(text, (t, a) => t.Set(a.Pointer, a.Whole));
 
     private static Json? Short(Json? value) => value switch
     {

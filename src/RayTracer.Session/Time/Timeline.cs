@@ -25,7 +25,7 @@ public sealed class Timeline(SceneDocument document, PictureView view) : IDispos
         {
             (_, _, IReadOnlyList<TimelineRow> rows, double rate) = Known();
             int? frame = document.Frame;
-            return new(frame, view.Shown?.Good.Frame, FramesOf(rows), rate, _lock.Read(() => _playback) is { IsOver: false }, VideoFile.Program is not null, [.. rows.Where(r => !r.IsMotion).Select(r => ValueOf(r, frame, rate))]);
+            return new(frame, view.Shown?.Good.Frame, FramesOf(rows), rate, _lock.Read(() => _playback) is { IsOver: false }, VideoFile.Program is not null, document.IsRecording, document.RecordingComplaint, [.. rows.Where(r => !r.IsMotion).Select(r => ValueOf(r, frame, rate))]);
         }
     }
 
@@ -67,6 +67,18 @@ public sealed class Timeline(SceneDocument document, PictureView view) : IDispos
         }
 
         playing?.Dispose();
+        Changed?.Invoke();
+    }
+
+    /// <summary>Records from now on what hands change in the picture, as keys at the frame that is shown; or no longer.</summary>
+    public void Record(bool isOn)
+    {
+        if (isOn && document.Frame is null)
+        {
+            Show(0);
+        }
+
+        document.IsRecording = isOn;
         Changed?.Invoke();
     }
 
@@ -133,6 +145,17 @@ public sealed class Timeline(SceneDocument document, PictureView view) : IDispos
             return there >= 0 ? KeyList.Remove(text, keys, new HashSet<int> { there }) : KeyList.Set(text, keys, frame, KeyedEdit.ValueAt(At(text, frame), KeyedEdit.Tracks(text.Root).ElementAt(track)!));
         }
 
+        return Begin(text, pointer, frame, null);
+    }
+
+    /// <summary>Begins to animate a value: with a key at a frame.</summary>
+    /// <param name="text">The text.</param>
+    /// <param name="pointer">The value, which has no keys.</param>
+    /// <param name="frame">The frame.</param>
+    /// <param name="value">The value there; null for what it is.</param>
+    /// <exception cref="SessionException">It cannot be animated.</exception>
+    internal static JsonText Begin(JsonText text, string pointer, int frame, System.Text.Json.Nodes.JsonNode? value)
+    {
         string path = new PropertyAddress(JsonPointer.Parse(pointer), [.. JsonPointer.Parse(pointer).Select(_ => true)]).Path(text.Root);
         PropertyPlace place = PropertyPlace.Find(text.Root, PropertyPath.Read(path));
         if ((place.Complaint ?? AnimationTrack.Complaint(place)) is { } complaint)
@@ -140,8 +163,8 @@ public sealed class Timeline(SceneDocument document, PictureView view) : IDispos
             throw new SessionException(complaint);
         }
 
-        System.Text.Json.Nodes.JsonNode? value = place.Node is { } written ? JsonValues.Of(written) : JsonValues.Of(place.Parameter!, place.Parameter!.Default);
-        System.Text.Json.Nodes.JsonObject key = new() { ["time"] = FrameTimes.TimeOf(frame, rate), ["value"] = value };
+        value = value is not null ? value.DeepClone() : place.Node is { } written ? JsonValues.Of(written) : JsonValues.Of(place.Parameter!, place.Parameter!.Default);
+        System.Text.Json.Nodes.JsonObject key = new() { ["time"] = FrameTimes.TimeOf(frame, FrameTimes.Rate(text.Root)), ["value"] = value };
         return text.Set("/animation/-", new System.Text.Json.Nodes.JsonObject { ["property"] = path, ["keys"] = new System.Text.Json.Nodes.JsonArray(key) });
     }
 

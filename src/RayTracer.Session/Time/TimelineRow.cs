@@ -94,8 +94,10 @@ public sealed record KeyChoice(string Keys, IReadOnlyList<int> Numbers);
 /// <param name="FramesPerSecond">The frames a second.</param>
 /// <param name="IsPlaying">True while it plays.</param>
 /// <param name="HasVideo">True if frames can be made into videos here.</param>
+/// <param name="IsRecording">True while what hands change in the picture becomes keys.</param>
+/// <param name="Complaint">Why the last such change is no key; null where it is.</param>
 /// <param name="Values">What tracks animate.</param>
-public sealed record TimeState(int? Frame, int? Shown, int Frames, double FramesPerSecond, bool IsPlaying, bool HasVideo, IReadOnlyList<AnimatedValue> Values);
+public sealed record TimeState(int? Frame, int? Shown, int Frames, double FramesPerSecond, bool IsPlaying, bool HasVideo, bool IsRecording, string? Complaint, IReadOnlyList<AnimatedValue> Values);
 
 /// <summary>An animated value.</summary>
 /// <param name="Pointer">Its place.</param>

@@ -54,7 +54,7 @@ public sealed class CameraController(SceneDocument document, PictureView view)
             text = Set(text, "/camera/up", written.Up, camera.Up);
             text = Set(text, "/camera/fieldOfView", written.FieldOfView, camera.FieldOfView);
             return Set(text, "/camera/viewSize", written.ViewSize, camera.ViewSize);
-        });
+        }, isByHand: true);
     }
 
     /// <summary>Focuses the scene's camera on what is seen at a pixel.</summary>
@@ -138,8 +138,8 @@ public sealed class CameraController(SceneDocument document, PictureView view)
         return CameraFraming.Frame(shown.Camera, local.Point(middle), MathF.Max(radius * scale, 1e-4f), shown.Aspect);
     }
 
-    // From the world to the coordinates in which the camera's numbers are.
-    private static Transform Local(ViewportScene shown) =>
+    /// <summary>From the world to the coordinates in which the camera's numbers are.</summary>
+    internal static Transform Local(ViewportScene shown) =>
         TransformEdit.Map(SceneValue.At(shown.Good.Read.Root!, "/camera/transform")).Inverse();
 
     private static JsonText Set(JsonText text, string pointer, object before, object after) =>

@@ -10,14 +10,16 @@ namespace RayTracer.Session;
 /// <summary>
 /// The picture without most of its noise. It takes two halves of the samples, which the film does not
 /// keep apart: they are rendered once more, whenever the film has twice as many as they. Then both become the first half, so that in all it
-/// takes about as long as the film.
+/// takes about as long as the film. Where the light of lamps is kept apart, it is of the halves, too: factors on it change what is denoised.
 /// </summary>
 public sealed class DenoisedPicture
 {
     // Half of the memory that there is: the film has a part of its own.
     private const int Part = 2;
 
+    private readonly LightLayers[] _lights = [new(), new()];
     private HalfRender[]? _halves;
+    private object? _factors;
     private Picture? _picture;
     private int _samples;
     private long _of = -1;
@@ -25,7 +27,8 @@ public sealed class DenoisedPicture
     /// <summary>Returns whether there is something to do before it can be shown as well as the film's samples allow.</summary>
     /// <param name="wanted">The scene to show.</param>
     /// <param name="samples">Samples in each pixel of the film.</param>
-    public bool Needs(ViewportScene wanted, int samples) => wanted.Settings.Map == ViewMap.Denoised && Next(wanted, samples) > (_of == wanted.Picture ? _samples : 0)
+    public bool Needs(ViewportScene wanted, int samples) => wanted.Settings.Map == ViewMap.Denoised
+        && (Next(wanted, samples) > (_of == wanted.Picture ? _samples : 0) || (_of == wanted.Picture && !ReferenceEquals(_factors, wanted.Settings.LightFactors)))
         && Bytes(wanted.Scene.Render) < GC.GetGCMemoryInfo().TotalAvailableMemoryBytes / Part;
 
     /// <summary>Renders halves with more samples, and denoises them.</summary>
@@ -35,24 +38,34 @@ public sealed class DenoisedPicture
     public void Step(ViewportScene wanted, int samples, CancellationToken cancellation)
     {
         int next = Next(wanted, samples);
-        bool isTwice = _of == wanted.Picture && next == 2 * _samples;
+        bool isOwn = _of == wanted.Picture;
+        bool isRendered = isOwn && next <= _samples;
+        bool isTwice = isOwn && next == 2 * _samples && wanted.Settings.LightFactors is null;
         _of = -1;
         (HalfRender first, HalfRender second) = Halves(wanted.Scene.Render);
         try
         {
-            if (isTwice)
+            if (isRendered)
+            {
+                next = _samples;
+            }
+            else if (isTwice)
             {
                 first.Film.Merge(second.Film);
                 HalfRender.Pass(wanted.Scene, Options(wanted, new(next / 4, next / 2))).Render(first.Features, cancellation);
             }
             else
             {
-                Render(wanted, first, new(0, next / 2), cancellation);
+                Render(wanted, first, _lights[0], new(0, next / 2), cancellation);
             }
 
-            Render(wanted, second, new(next / 2, next), cancellation);
-            _picture = Denoiser.Denoise(first, second, wanted.Settings.Threads, null, cancellation).Picture;
-            (_samples, _of) = (next, wanted.Picture);
+            if (!isRendered)
+            {
+                Render(wanted, second, _lights[1], new(next / 2, next), cancellation);
+            }
+
+            _picture = Denoiser.Denoise(Planes(wanted, first, _lights[0]), Planes(wanted, second, _lights[1]), wanted.Settings.Threads, null, cancellation).Picture;
+            (_samples, _of, _factors) = (next, wanted.Picture, wanted.Settings.LightFactors);
         }
         catch (OperationCanceledException)
         {
@@ -78,11 +91,27 @@ public sealed class DenoisedPicture
 
     private static IReadOnlyList<FilmPlane> PlanesOf(RenderDescription render) => FilmPlane.Needed(render.Integrator, noise: true);
 
-    private static void Render(ViewportScene wanted, HalfRender half, SampleRange samples, CancellationToken cancellation)
+    private static HalfPlanes Planes(ViewportScene wanted, HalfRender half, LightLayers lights)
+    {
+        HalfPlanes planes = HalfPlanes.Of(half);
+        lights.Mix(wanted, (y, more) =>
+        {
+            for (int i = 0; i < more.Length; i++)
+            {
+                planes.Color[i % 3][i / 3, y] += more[i];
+            }
+        }, half.Film.Height);
+        planes.Extend();
+        return planes;
+    }
+
+    private static void Render(ViewportScene wanted, HalfRender half, LightLayers lights, SampleRange samples, CancellationToken cancellation)
     {
         half.Film.Clear();
         half.Features.Clear();
-        new RTracer(wanted.Scene, Options(wanted, samples)).Render(half.Film, null, cancellation);
+        lights.Begin(wanted, half.Film);
+        RenderOptions options = new() { Threads = wanted.Settings.Threads, Crop = wanted.Settings.Region, Samples = samples, Layers = lights.Film };
+        new RTracer(wanted.Scene, options).Render(half.Film, null, cancellation);
         HalfRender.Pass(wanted.Scene, Options(wanted, samples)).Render(half.Features, cancellation);
     }
 

@@ -321,7 +321,7 @@ internal sealed class FilmWork(FrameBoard frames)
         {
             PicturePainter.Paint(Film!, _preview, picture);
             _lights.Paint(wanted, picture);
-            if (wanted.Settings.FiltersMotion && _textbook is null && _movingPlan.ShareAfter(_plan.Samples, wanted.Samples) is > 0 and var share)
+            if (wanted.Settings.FiltersMotion && wanted.Settings.LightFactors is not { Count: > 0 } && _textbook is null && _movingPlan.ShareAfter(_plan.Samples, wanted.Samples) is > 0 and var share)
             {
                 PicturePainter.Blend(_preview, share, picture);
             }

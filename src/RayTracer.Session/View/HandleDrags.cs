@@ -12,7 +12,7 @@ public sealed class HandleDrags(SceneEdits edits, PictureView view)
 
     /// <summary>Has the thing follow the pointer. What cannot be computed (the axis points at the eye, say) changes nothing.</summary>
     /// <exception cref="SessionException">There is no thing of a size, or nothing can be drawn over the picture.</exception>
-    /// <exception cref="SessionException">The thing cannot be there.</exception>
+    /// <exception cref="SessionException">The thing cannot be there, or is locked.</exception>
     public void Drag(HandleDrag way)
     {
         if (way.Axis is < 0 or > 2)

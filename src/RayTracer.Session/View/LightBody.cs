@@ -40,7 +40,7 @@ public sealed record LightBody(
     {
         JsonText text = JsonText.Of(shown.Good.Read);
         CameraFrame camera = CameraFrame.Of(shown);
-        return [.. SceneValue.Scene(text.Root).WithInner().Where(IsBodied).Select(v => LightPose.Of(text, v, shown)).OfType<LightPose>()
+        return [.. SceneValue.Scene(text.Root).WithInner().Where(v => IsBodied(v) && !shown.Good.Hidden.Any(h => Picking.IsWithin(v.Pointer, h))).Select(v => LightPose.Of(text, v, shown)).OfType<LightPose>()
             .Select(pose => Of(pose, camera)).OfType<LightBody>()];
     }
 
@@ -138,7 +138,7 @@ internal sealed record LightPose(
     /// <param name="shown">The picture at whose time it is meant; null for as it is written.</param>
     public static LightPose? Of(JsonText text, SceneValue value, ViewportScene? shown = null)
     {
-        object record = Shown(value, shown?.Description) ?? value.Record();
+        object record = Shown(value, shown?.Good.Read.Description) ?? value.Record();
         if (record is SkyEnvironmentDescription sky)
         {
             return sky.SunScale > 0 ? new(value.Pointer, "sun", Transform.Identity, null, -Sun(sky)) : null;

@@ -1,6 +1,8 @@
 using System.Numerics;
 using System.Text.Json.Nodes;
+using RayTracer.Description;
 using RayTracer.Numerics;
+using RayTracer.Scenes;
 
 namespace RayTracer.Session;
 
@@ -13,9 +15,14 @@ public sealed class LightDrags(SceneDocument document, PictureView view)
     private const float DirectionPrecision = 5e-4f;
 
     /// <summary>Has the handle follow the pointer. What cannot be computed changes nothing.</summary>
-    /// <exception cref="SessionException">There is no light with such a handle, or nothing can be drawn over the picture.</exception>
+    /// <exception cref="SessionException">There is no light with such a handle, it is locked, or nothing can be drawn over the picture.</exception>
     public void Drag(LightDrag drag)
     {
+        if (document.IsLocked(drag.Pointer))
+        {
+            throw new SessionException("It is locked: unlock it to change it by its handles.");
+        }
+
         ViewportScene shown = view.RequireShown();
         CameraFrame camera = CameraFrame.Of(shown);
         document.Change(SessionTexts.Of("viewport.lightHandles." + drag.Kind.ToString().ToLowerInvariant()), drag.Gesture, text =>
@@ -29,7 +36,20 @@ public sealed class LightDrags(SceneDocument document, PictureView view)
                 LightHandleKind.Radius when pose.Radius is not null => Enlarged(text, pose, camera, drag.To),
                 _ => throw Missing(),
             };
-        });
+        }, isByHand: true);
+    }
+
+    /// <summary>Has a light shine on a point: one with a direction is turned to it, others come to stand as far before it as they are.</summary>
+    /// <param name="text">The text.</param>
+    /// <param name="pointer">The light.</param>
+    /// <param name="on">The point, and the unit normal of the surface there.</param>
+    /// <exception cref="SessionException">It is no light that can be turned or moved.</exception>
+    internal static JsonText ShineOn(JsonText text, string pointer, (Vector3 Point, Vector3 Normal) on)
+    {
+        LightPose pose = SceneValue.At(text.Root, pointer) is { Node: not null, Type: not null } light && light.Family == SceneTypes.Shapes ? LightPose.Of(text, light)! : throw Missing();
+        Vector3 way = on.Point - (pose.Position ?? (on.Point + on.Normal));
+        return pose.Direction is not null && way.Norm() > 0 ? Directed(text, pose, way.Unit())
+            : ShapePlacement.Translate(text, pointer, Precision.Round(way + (on.Normal * way.Norm()), DirectionPrecision * way.Norm()));
     }
 
     private static SessionException Missing() => new("There is no light with such a handle.", SessionFault.Missing);
@@ -50,9 +70,11 @@ public sealed class LightDrags(SceneDocument document, PictureView view)
             return Set(Set(text, pose, "sunElevation", float.Clamp(elevation, 0, 90), DegreesPrecision), pose, "sunAzimuth", azimuth < 0 ? azimuth + 360 : azimuth, DegreesPrecision);
         }
 
-        Vector3 local = Precision.Round(pose.Space.Inverse().Vector(along).Unit(), DirectionPrecision);
-        return text.Set(pose.Pointer + "/direction", JsonValues.Vector(local));
+        return Directed(text, pose, along);
     }
+
+    private static JsonText Directed(JsonText text, LightPose pose, Vector3 along) =>
+        text.Set(pose.Pointer + "/direction", JsonValues.Vector(Precision.Round(pose.Space.Inverse().Vector(along).Unit(), DirectionPrecision)));
 
     // What is seen under the pointer, or the point there as far from the light as its arrow's tip.
     private static Vector3 Aimed(Vector3 position, LightPose pose, ViewportScene shown, CameraFrame camera, Vector2 to)

@@ -46,7 +46,20 @@ internal sealed class LightLayers
     /// <summary>Adds to a picture what the factors on lights make of it.</summary>
     /// <param name="wanted">What is shown.</param>
     /// <param name="to">The picture with all lights as they are.</param>
-    public void Paint(ViewportScene wanted, LinearPicture to)
+    public void Paint(ViewportScene wanted, LinearPicture to) => Mix(wanted, (y, more) =>
+    {
+        Span<float> row = to.Row(y);
+        for (int i = 0; i < more.Length; i++)
+        {
+            row[i] += more[i];
+        }
+    }, to.Height);
+
+    /// <summary>Tells what the factors on lights add to each row of a picture; of no rows where they add nothing.</summary>
+    /// <param name="wanted">What is shown.</param>
+    /// <param name="add">Takes a row, and what is added to its reds, greens and blues; on several threads.</param>
+    /// <param name="height">The number of rows.</param>
+    public void Mix(ViewportScene wanted, MixedRow add, int height)
     {
         if (Film is not { } film || wanted.Settings.LightFactors is not { } factors)
         {
@@ -55,20 +68,22 @@ internal sealed class LightLayers
 
         (IImageRows Image, Rgb More)[] changed = [.. film.Names.Select((name, i) => (Image: film.Image(i), Name: name[LightPathAovFilm.LightPrefix.Length..]))
             .Where(l => factors.ContainsKey(l.Name)).Select(l => (l.Image, factors[l.Name] + (Rgb.White * -1))).Where(l => !l.Item2.IsBlack)];
-        Parallel.For(0, changed.Length == 0 ? 0 : to.Height, new ParallelOptions { MaxDegreeOfParallelism = wanted.Settings.Threads }, y =>
+        Parallel.For(0, changed.Length == 0 ? 0 : height, new ParallelOptions { MaxDegreeOfParallelism = wanted.Settings.Threads }, y =>
         {
-            float[] light = new float[3 * to.Width];
-            Span<float> row = to.Row(y);
+            float[] light = new float[3 * changed[0].Image.Width];
+            float[] sum = new float[light.Length];
             foreach ((IImageRows image, Rgb more) in changed)
             {
                 image.ReadRow(y, light);
                 for (int i = 0; i < light.Length; i += 3)
                 {
-                    row[i] += more.R * light[i];
-                    row[i + 1] += more.G * light[i + 1];
-                    row[i + 2] += more.B * light[i + 2];
+                    sum[i] += more.R * light[i];
+                    sum[i + 1] += more.G * light[i + 1];
+                    sum[i + 2] += more.B * light[i + 2];
                 }
             }
+
+            add(y, sum);
         });
     }
 
@@ -88,3 +103,8 @@ internal sealed class LightLayers
             : null;
     }
 }
+
+/// <summary>Takes what is added to a row of a picture.</summary>
+/// <param name="y">The row.</param>
+/// <param name="more">What is added to its reds, greens and blues.</param>
+internal delegate void MixedRow(int y, ReadOnlySpan<float> more);

@@ -18,6 +18,14 @@ public static class Picking
             ? new(shown.PointerOf(hit.Name), hit.Distance, hit.Position, hit.Normal, shown.MaterialOf(hit.Name))
             : new(null, null, null, null, null);
 
+    /// <summary>The same for whoever chooses things: one that is locked is none.</summary>
+    /// <param name="document">The document that is shown.</param>
+    /// <param name="shown">The scene.</param>
+    /// <param name="x">The pixel's column.</param>
+    /// <param name="y">The pixel's row.</param>
+    public static PickResult Selectable(SceneDocument document, ViewportScene shown, float x, float y) =>
+        At(shown, x, y) is var seen && document.IsLocked(seen.Pointer) ? seen with { Pointer = null } : seen;
+
     /// <summary>The pixels in which a thing, or one within it, is what is seen first.</summary>
     /// <param name="shown">The scene.</param>
     /// <param name="pointer">The thing.</param>

@@ -56,6 +56,9 @@ public sealed class PictureView : IDisposable
     /// <summary>Returns whether the picture is seen through the scene's own camera, as it is rendered to files.</summary>
     public bool IsSceneCamera => Shown is not { } shown || CameraPose.Of(shown.Camera) == CameraPose.Of(shown.Description.Camera);
 
+    /// <summary>Returns whether nothing is left out of the picture.</summary>
+    public bool IsWhole => Shown is not { Good.Hidden.Count: > 0 };
+
     /// <summary>The user's settings.</summary>
     public ViewSettings Settings => _lock.Read(() => _settings);
 
@@ -336,7 +339,7 @@ public sealed class PictureView : IDisposable
 
     private ViewportScene? Seen(GoodScene good)
     {
-        SceneDescription description = good.Read.Description!;
+        SceneDescription description = good.Description;
         CameraDescription camera = _camera.Of(description.Camera);
         RenderDescription render = description.Render;
         if (_settings.Samples is { } samples && render.Sampler.Complaint(samples) is null)

@@ -105,5 +105,6 @@ public sealed record ViewBookmark(int Id, string Name, CameraPose Pose);
 /// <summary>Through which camera the picture is seen.</summary>
 /// <param name="Pose">Its pose; null where there is nothing to be seen.</param>
 /// <param name="IsSceneCamera">True for the scene's own.</param>
+/// <param name="Picture">The picture's number: another one shows something else, or from elsewhere.</param>
 /// <param name="Bookmarks">The views that are kept.</param>
-public sealed record ViewStatus(CameraPose? Pose, bool IsSceneCamera, IReadOnlyList<ViewBookmark> Bookmarks);
+public sealed record ViewStatus(CameraPose? Pose, bool IsSceneCamera, long Picture, IReadOnlyList<ViewBookmark> Bookmarks);

@@ -31,8 +31,8 @@ public sealed record ViewportScene(
         return all.IsFinite && size > 0 ? ((all.Minimum + all.Maximum) * 0.5f, size) : (Vector3.Zero, 1);
     });
 
-    /// <summary>The scene's description.</summary>
-    public SceneDescription Description => Good.Read.Description!;
+    /// <summary>The description of what is seen of the scene.</summary>
+    public SceneDescription Description => Good.Description;
 
     /// <summary>The first sample that pixels get: more than 0 where the picture goes on with a part of one.</summary>
     public int First => Start?.Held.First ?? 0;

@@ -11,7 +11,9 @@ internal static class DocumentRequests
 
     public sealed record Set(string? Pointer, JsonElement Value, string? Json, bool Reset, string? Gesture);
 
-    public sealed record Add(string? Family, string? Type, string? Near, string? File);
+    public sealed record Add(string? Family, string? Type, string? File, Vector2? At);
+
+    public sealed record Apply(string? Pointer, string[]? Things, Vector2? At);
 
     public sealed record At(string? Pointer);
 

@@ -34,7 +34,7 @@ public sealed class SceneThingsTests
     {
         JsonText text = JsonText.Of(ShippedScenes.Text("meshes/01-cube.json"));
         (text, string first) = SceneThings.Add(text, family, type);
-        (text, string second) = SceneThings.Add(text, family, type, near: first);
+        (text, string second) = SceneThings.Add(text, family, type);
         Assert.NotEqual(first, second);
         Assert.Equal(type, text.At(second + "/type").Text);
         SceneLoadResult load = SceneLoader.Build(SceneReader.ReadText(text.Text, "scene"), "");

@@ -50,6 +50,40 @@ public sealed class PathEquationTests
     }
 
     [Theory]
+    [InlineData("cornell.json", "bidirectional", "asked,connected,met,seen")]
+    [InlineData("cornell.json", "vcm", "asked,connected,merged,met,seen")]
+    [InlineData("cornell.json", "light", "seen")]
+    [InlineData("cornell.json", "photons", "asked,merged")]
+    [InlineData("gallery/prism.json", "bidirectional", "connected,seen")]
+    [InlineData("media/01-milk-and-fog.json", "bidirectional", "asked,connected")]
+    [InlineData("media/01-milk-and-fog.json", "vcm", "asked,connected")]
+    public async Task Factors_of_ways_multiply_to_what_they_bring(string path, string integrator, string expected)
+    {
+        using TestSession test = new();
+        string text = await File.ReadAllTextAsync(ProjectFolder.PathOf("scenes", path));
+        await test.Open(JsonText.Of(text).Set("/render/integrator", integrator).Set("/render/width", Size).Set("/render/height", Size).Set("/render/samplesPerPixel", 2).Text, Path.GetDirectoryName(ProjectFolder.PathOf("scenes", path)));
+        HashSet<string> events = [];
+        PathInspector inspector = test.Session.Part<PathInspector>();
+        foreach ((int x, int y) in Pixels())
+        {
+            InspectedPixel pixel = await inspector.Inspect(x, y, 0, 2);
+            foreach (InspectedWay way in pixel.Samples.SelectMany(s => s.Ways))
+            {
+                events.Add(way.Event);
+                Rgb product = way.Factors.Aggregate(Rgb.White, (p, f) => f.Divides ? p * (1 / f.Value.R) : p * f.Value) * way.Weight;
+                AssertNear(way.Radiance, product, 1e-3, 0);
+                Assert.InRange(way.Weight, 0, 1 + 1e-4);
+                Assert.Equal(way.Event == "merged", way.Factors.Any(f => f.Kind == WayFactor.Kernel));
+                Assert.Equal(way.Event is "met" or "asked", way.Factors.Any(f => f.Kind == WayFactor.Radiance));
+                Assert.Equal(way.Event is "asked" or "connected" or "merged", way.Factors.Any(f => f.Kind == WayFactor.CameraBsdf));
+                Assert.Equal(way.Event is "seen" or "connected", way.Factors.Any(f => f.Kind == WayFactor.LightBsdf));
+            }
+        }
+
+        Assert.Equal([], expected.Split(',').Except(events));
+    }
+
+    [Theory]
     [InlineData("path", 4, 2)]
     [InlineData("report", 4, 1)]
     public void Samples_that_share_rays_and_several_points_are_explained(string integrator, int ways, int points)

@@ -54,6 +54,42 @@ public sealed class LightMixerTests : IDisposable
     }
 
     [Fact]
+    public async Task The_denoised_picture_heeds_them_too()
+    {
+        await _test.Open(TwoLamps.Replace("\"samplesPerPixel\": 4", "\"samplesPerPixel\": 16", StringComparison.Ordinal));
+        Mixer.Mix(new Dictionary<string, float[]>());
+        _test.Session.View.Change(s => s with { Map = ViewMap.Denoised });
+        await _test.FilmHash();
+        float[] plain = await Denoised(_ => true);
+        Mixer.Mix(new Dictionary<string, float[]> { ["left"] = [0, 0, 0], ["right"] = [0, 0, 0], ["spark"] = [2, 2, 2] });
+        float[] mixed = await Denoised(p => p.Sum() < 0.5 * plain.Sum());
+        Mixer.Mix(new Dictionary<string, float[]>());
+        float[] again = await Denoised(p => p.Sum() > 0.9 * plain.Sum());
+        Assert.Equal(plain, again);
+
+        // Nothing but twice the spark is left.
+        await _test.Open(TwoLamps.Replace("\"material\": \"glow\"", "\"material\": { \"type\": \"luminaire\", \"multiplier\": 0 }", StringComparison.Ordinal).Replace("[0.1, 0.2, 0.3]", "[0.2, 0.4, 0.6]", StringComparison.Ordinal));
+        await _test.FilmHash();
+        Picture scene = await _test.Session.View.Loop.ReadFilm((film, _, _) => film.ToPicture());
+        Assert.Equal(scene.Pixels.Average(), mixed.Average(), 0.1 * scene.Pixels.Average());
+
+        async Task<float[]> Denoised(Predicate<float[]> isSo)
+        {
+            for (long after = 0; ;)
+            {
+                using FrameLease frame = await _test.Frame(after, f => f.IsLast);
+                float[] pixels = [.. Enumerable.Range(0, frame.Picture.Height).SelectMany(y => frame.Picture.Row(y).ToArray())];
+                if (isSo(pixels))
+                {
+                    return pixels;
+                }
+
+                after = frame.Version;
+            }
+        }
+    }
+
+    [Fact]
     public async Task Factors_are_written_into_the_scene_in_one_step()
     {
         await _test.Open(TwoLamps);

@@ -21,6 +21,17 @@ public class AccessibilityTests(ChromiumBrowser browser)
         await Check("scene", w, axe);
         await w.Click(0.66, 0.56);
         await Expect(w.Page.GetByRole(AriaRole.Treeitem, new() { NameRegex = new("chrome ball") })).ToHaveAttributeAsync("aria-selected", "true");
+        await w.Stage.FocusAsync();
+        await w.Page.Keyboard.PressAsync("h");
+        await w.Page.Keyboard.PressAsync("l");
+        await Expect(w.Page.GetByText("Hidden: 1")).ToBeVisibleAsync();
+        await Check("hidden", w, axe);
+        await w.Page.Keyboard.PressAsync("Shift+F10");
+        await Expect(w.Page.GetByRole(AriaRole.Menuitem).First).ToBeFocusedAsync();
+        await Check("menu", w, axe);
+        await w.Page.Keyboard.PressAsync("Escape");
+        await Expect(w.Stage).ToBeFocusedAsync();
+        await w.Page.Keyboard.PressAsync("Shift+H");
         foreach (string tab in new[] { "Light paths", "Heat maps", "Convergence", "Times", "Gallery", "Files", "Camera", "Render", "World" })
         {
             await w.Tab(tab);

@@ -99,7 +99,8 @@ public class InsideWalks(ChromiumBrowser browser)
         await w.Button("Properties pane").ClickAsync();
         ILocator first = ways.GetByRole(AriaRole.Button).First;
         await first.ClickAsync();
-        await Expect(first).ToHaveAttributeAsync("aria-pressed", "true");
+        await Expect(first).ToHaveAttributeAsync("aria-expanded", "true");
+        await Expect(ways).ToContainTextAsync("light's part");
         await first.ScrollIntoViewIfNeededAsync();
         await w.Shot("ways", isShown: true);
     }

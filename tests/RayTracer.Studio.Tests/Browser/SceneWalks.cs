@@ -146,6 +146,64 @@ public class SceneWalks(ChromiumBrowser browser)
         Assert.NotEqual(before, withBox);
     }
 
+    [SkippableFact]
+    public async Task Things_are_put_where_one_clicks_given_materials_hidden_and_locked()
+    {
+        await using StudioWindow w = await StudioWindow.Open(browser, "report/scene2");
+        await w.Painted();
+        string before = w.Session.Document.Text;
+        ILocator Row(string name) => w.Page.GetByRole(AriaRole.Treeitem, new() { NameRegex = new($"^{name}") });
+
+        // On the floor, where the right button was pressed.
+        (float x, float y) = await w.Point(0.25, 0.85);
+        await w.Page.Mouse.ClickAsync(x, y, new() { Button = MouseButton.Right });
+        await Expect(w.Page.GetByRole(AriaRole.Menu, new() { Name = "What can be done here" })).ToBeVisibleAsync();
+        await w.Painted();
+        await w.Shot("here", isShown: true);
+        await w.Page.GetByRole(AriaRole.Menuitem, new() { Name = "Add here: Shape: box", Exact = true }).ClickAsync();
+        await w.Text("a box stands there, of a material with a name", t => t.Contains("\"box\"", StringComparison.Ordinal) && t.Contains("\"material\": \"matt\"", StringComparison.Ordinal));
+        await w.Painted();
+        await w.Shot("added");
+        await w.Page.Keyboard.PressAsync("Control+z");
+        await w.Text("one step takes it away", t => t == before);
+
+        // The material of the red ball is dragged onto the chrome ball, and given to both others.
+        (float ballX, float ballY) = await w.Point(0.66, 0.56);
+        LocatorBoundingBoxResult stage = (await w.Stage.BoundingBoxAsync())!;
+        await Row("red.*diffuse").DragToAsync(w.Stage, new() { TargetPosition = new() { X = ballX - stage.X, Y = ballY - stage.Y } });
+        await w.Text("the chrome ball is red", t => t.Contains("\"radius\": 1, \"material\": \"red\"", StringComparison.Ordinal));
+        await w.Page.Keyboard.PressAsync("Control+z");
+        await Row("glass ball").ClickAsync();
+        await Row("chrome.*phongMetal").ClickAsync(new() { Modifiers = [KeyboardModifier.Control] });
+        await w.Button("Apply to selected").ClickAsync();
+        await w.Text("the glass ball is of chrome", t => t.Split("\"material\": \"chrome\"").Length == 3);
+
+        // Hidden and locked, by keys.
+        await Row("chrome ball").ClickAsync();
+        await w.Page.Keyboard.PressAsync("l");
+        await w.Page.Keyboard.PressAsync("h");
+        await Expect(w.Page.GetByText("Hidden: 1")).ToBeVisibleAsync();
+        await Expect(Row("chrome ball.*hidden.*locked")).ToBeVisibleAsync();
+        await w.Painted();
+        await w.Shot("hidden", isShown: true);
+        await w.Page.SetViewportSizeAsync(900, 700);
+        await Expect(w.Page.GetByRole(AriaRole.Complementary)).ToHaveCountAsync(0);
+        await w.Painted();
+        await w.Shot("hidden-900");
+        await w.Page.SetViewportSizeAsync(1280, 800);
+        await w.Button("Show all").ClickAsync();
+        await Expect(w.Page.GetByText("Hidden: 1")).ToHaveCountAsync(0);
+        await w.Painted();
+        await Row("red ball").ClickAsync();
+        await w.Click(0.66, 0.56);
+        await Expect(Row("chrome ball")).ToHaveAttributeAsync("aria-selected", "false");
+        await w.Tab("Render");
+        await w.Page.GetByText(new System.Text.RegularExpressions.Regex("Without effect now: .*merge radius")).ClickAsync();
+        await Expect(w.Page.GetByText("Only with the integrator photons or vcm.")).ToBeVisibleAsync();
+        await w.Page.GetByText("Only with the integrator photons or vcm.").ScrollIntoViewIfNeededAsync();
+        await w.Shot("idle", isShown: true);
+    }
+
     [ThoroughFact]
     [Trait("Category", "Thorough")]
     public async Task A_shape_is_moved_by_its_handle()

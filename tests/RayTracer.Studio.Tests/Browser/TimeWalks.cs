@@ -104,6 +104,18 @@ public class TimeWalks(ChromiumBrowser browser)
         await Expect(w.Button("radius: remove the key at frame 4")).ToHaveAttributeAsync("aria-pressed", "true");
         await w.Shot("keys");
 
+        // What a handle moves while keys are recorded has a key, too.
+        await w.Button("Record").ClickAsync();
+        await w.Button("Move").ClickAsync();
+        await w.Page.GetByRole(AriaRole.Slider, new() { Name = "Move along x" }).PressAsync("ArrowRight");
+        await w.Text("the place has a key", t => t.Contains("\"shapes.ball.center\"", StringComparison.Ordinal) && t.Contains("\"center\": [0, 1, 0]", StringComparison.Ordinal));
+        await Expect(Key(w, "shapes.ball.center", 4)).ToBeVisibleAsync();
+        await w.Shot("record");
+        await w.Tab("Source");
+        await StudioWindow.Until("recording ends with the timeline", () => Task.FromResult(!w.Session.Document.IsRecording));
+        await w.Tab("Timeline");
+        await Expect(w.Button("Record")).ToHaveAttributeAsync("aria-pressed", "false");
+
         await w.Button("Render animation").ClickAsync();
         await Expect(w.Page.GetByRole(AriaRole.Spinbutton, new() { Name = "Last frame" })).ToHaveValueAsync("3");
         await w.Page.GetByRole(AriaRole.Combobox, new() { Name = "As", Exact = true }).SelectOptionAsync("animated");

@@ -140,6 +140,13 @@ public sealed class ApiTests
     [InlineData("/api/view/render", """{ "region": [0, 0, 0, 0] }""")]
     [InlineData("/api/view/tone", """{ "exposure": 1000 }""")]
     [InlineData("/api/view/drag", """{ "pointer": "/shapes/6", "kind": "move", "axis": 3, "from": [0, 0], "to": [1, 1], "gesture": "g" }""")]
+    [InlineData("/api/view/hide", """{ }""")]
+    [InlineData("/api/view/hide", """{ "pointers": ["/camera"], "isMarked": true }""")]
+    [InlineData("/api/view/hide", """{ "pointers": [null], "isMarked": true }""")]
+    [InlineData("/api/view/lock", """{ "pointers": ["/shapes/99", "shapes"], "isMarked": true }""")]
+    [InlineData("/api/view/lock", """{ "pointers": "/shapes/0", "isMarked": true }""")]
+    [InlineData("/api/timeline/record", """{ "isOn": 1 }""")]
+    [InlineData("/api/save/picture", """{ "path": "a.jpg", "transparent": true }""")]
     [InlineData("/api/save/picture", """{ "path": "a.bmp" }""")]
     [InlineData("/api/save/picture", """{ }""")]
     public async Task Nonsense_is_refused_in_a_sentence(string path, string json)

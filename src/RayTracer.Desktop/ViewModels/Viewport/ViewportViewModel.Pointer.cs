@@ -178,7 +178,7 @@ internal sealed partial class ViewportViewModel
             {
                 string? pointer = await dispatcher.Ask(s =>
                 {
-                    string? found = Picking.At(s.View.RequireShown(), x, y).Pointer;
+                    string? found = Picking.Selectable(s.Document, s.View.RequireShown(), x, y).Pointer;
                     s.Selection.Select(found);
                     return found;
                 });

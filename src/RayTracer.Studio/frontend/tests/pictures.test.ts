@@ -51,7 +51,7 @@ test("the outliner finds things by name or type, with what they stand in", () =>
   expect(filterNodes(tree, "LEG")).toMatchObject([{ name: "table", children: [{ name: "leg" }] }]);
   expect(filterNodes(tree, "sphere")).toHaveLength(2);
   const none = node("none");
-  const outline = { revision: 1, camera: none, render: none, background: none, environment: none, ambient: none, shapes: tree, lights: [], materials: [], textures: [], objects: [] };
+  const outline = { revision: 1, camera: none, render: none, background: none, environment: none, ambient: none, shapes: tree, lights: [], materials: [], textures: [], objects: [], idle: {} };
   expect(findNode(outline, "/top")?.name).toBe("top");
   expect(findNode(outline, "/nowhere")).toBeNull();
 });

@@ -80,6 +80,58 @@ public sealed record TracedWay(int LightVertices, int CameraVertices, bool IsMer
     /// <summary>The last vertex of the part from the light; null where there is none.</summary>
     public Vector3? LightEnd { get; init; }
 
+    /// <summary>The factors whose product, with the weight, is the light that it brings.</summary>
+    public IReadOnlyList<TracedFactor> Factors { get; init; } = [];
+
     /// <summary>The vertices of that part in order, the light's own left out: the first ray starts on it.</summary>
     public IReadOnlyList<PathVertex> LightPath { get; init; } = [];
+}
+
+/// <summary>A factor of the light that a way brings.</summary>
+/// <param name="Kind">What it is.</param>
+/// <param name="Value">Its value; numbers are the same in all channels.</param>
+public readonly record struct TracedFactor(WayFactor Kind, Rgb Value)
+{
+    /// <summary>True if the light is divided by it.</summary>
+    public bool Divides => Kind == WayFactor.Pdf;
+}
+
+/// <summary>What the light of a path is a product of.</summary>
+public enum WayFactor
+{
+    /// <summary>The throughput of the camera's part.</summary>
+    CameraPart,
+
+    /// <summary>The BSDF, or phase function, at the end of the camera's part, in 1/sr.</summary>
+    CameraBsdf,
+
+    /// <summary>Camera rays per area at what is seen, one for each pixel, with the weight of the pixel filter.</summary>
+    Lens,
+
+    /// <summary>The cosines at the ends of the edge between both parts, over its squared length where both ends are given; for merges, what the shading normal makes of it.</summary>
+    Geometry,
+
+    /// <summary>The part that is left of the light on that edge: all where nothing is in the way.</summary>
+    Left,
+
+    /// <summary>The share of a photon's power that counts at a point: 1 / (N·πr²), with N light paths and the radius r.</summary>
+    Kernel,
+
+    /// <summary>The BSDF, or phase function, at the end of the light's part, in 1/sr.</summary>
+    LightBsdf,
+
+    /// <summary>The power that the light's part carries.</summary>
+    LightPart,
+
+    /// <summary>The radiance of a light that is met or asked; the irradiance of one without extent.</summary>
+    Radiance,
+
+    /// <summary>The density of the point of a light that is asked, per steradian, with the probability of the light.</summary>
+    Pdf,
+
+    /// <summary>Camera paths for each light path, or the part of all that one is.</summary>
+    Paths,
+
+    /// <summary>The weight that the pixel filter gives.</summary>
+    Filter,
 }

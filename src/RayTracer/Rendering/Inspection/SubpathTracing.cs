@@ -113,6 +113,7 @@ internal sealed class SubpathTracing
     {
         TracedWay way = new((int)arrival.From, (int)arrival.To, arrival.IsMerge, arrival.Light, arrival.Alone)
         {
+            Factors = arrival.Factors.All,
             CameraEnd = arrival.To == 1 ? vertices[0].Origin : vertices.LastOrDefault(v => v.Number + 2 == arrival.To)?.Position,
         };
         if (arrival.From < 2)

@@ -11,7 +11,8 @@ namespace RayTracer.Rendering;
 /// <param name="Point">The last vertex from the light, where there is one.</param>
 /// <param name="Light">The light with its weight.</param>
 /// <param name="Alone">The light without.</param>
-internal readonly record struct Arrival(uint From, uint To, bool IsMerge, uint LightPath, Vector3 Point, Rgb Light, Rgb Alone);
+/// <param name="Factors">What the light without its weight is a product of.</param>
+internal readonly record struct Arrival(uint From, uint To, bool IsMerge, uint LightPath, Vector3 Point, Rgb Light, Rgb Alone, WayFactors Factors);
 
 /// <summary>Takes the light that paths bring, from any thread.</summary>
 internal interface IArrivals
@@ -39,4 +40,7 @@ internal struct WaysW
 
     /// <summary>The last vertices from the lights, where there are such.</summary>
     public Vec3W Point;
+
+    /// <summary>The factors of what they bring.</summary>
+    public WayFactorsW Factors;
 }

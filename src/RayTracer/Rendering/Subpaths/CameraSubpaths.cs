@@ -109,7 +109,7 @@ internal sealed unsafe class CameraSubpaths : SubpathShader
             // A direction that is not a number meets nothing; it must not pass for a ray into the open.
             FloatW fault = Vec3W.Dot(at.Surface.Incoming, at.Surface.Incoming) * 0f;
             RgbW throughput = stream.PickThroughput(index);
-            _recorder?.Add(MaskW.First(count - i).Bits, at.Path, new() { To = (at.State & PathState.VertexMask) + 2u }, throughput * arriving, throughput * alone);
+            _recorder?.Add(MaskW.First(count - i).Bits, at.Path, new() { To = (at.State & PathState.VertexMask) + 2u, Factors = new() { CameraPart = throughput, Radiance = alone } }, throughput * arriving, throughput * alone);
             Gather(MaskW.First(count - i).Bits, at.Path, (throughput * arriving) + new RgbW(fault, fault, fault));
         }
     }
@@ -234,7 +234,7 @@ internal sealed unsafe class CameraSubpaths : SubpathShader
             emitted *= shared.Select(SeenWeight(perArea, emission), 1f);
         }
 
-        _recorder?.Add(active.Bits, at.Path, new() { To = at.Number + 2u }, at.Throughput * emitted, at.Throughput * alone);
+        _recorder?.Add(active.Bits, at.Path, new() { To = at.Number + 2u, Factors = new() { CameraPart = at.Throughput, Radiance = alone } }, at.Throughput * emitted, at.Throughput * alone);
         Gather(active.Bits, at.Path, at.Throughput * emitted);
     }
 
@@ -328,14 +328,15 @@ internal sealed unsafe class CameraSubpaths : SubpathShader
             others *= PathWeights.Power(passed);
         }
 
-        FloatW scale = Cosine(at.Surface, sample.Direction) * Share(others) / probability;
+        FloatW cosine = Cosine(at.Surface, sample.Direction);
+        FloatW scale = cosine * Share(others) / probability;
         RgbW value = at.Throughput * brought * at.Bsdf * scale;
         if (Scene.TracksInteriors)
         {
             _traced += BitOperations.PopCount(active.Bits);
             value *= left;
             Gather(active.Bits, at.Path, value);
-            _recorder?.Add(active.Bits, at.Path, Ways(sample), value, value * (others + 1f));
+            _recorder?.Add(active.Bits, at.Path, Ways(sample, brought, cosine, probability, left), value, value * (others + 1f));
             return;
         }
 
@@ -347,16 +348,17 @@ internal sealed unsafe class CameraSubpaths : SubpathShader
         if (active.Any)
         {
             _rays.Add(active.Bits, at.Start, group.IsInstanced ? at.Surface.Instance : 0u, at.Inner, sample.Direction, sample.Distance, at.Time, number, value, 0f, at.Path);
-            _recorder?.Wait(active.Bits, Ways(sample), value * (others + 1f));
+            _recorder?.Wait(active.Bits, Ways(sample, brought, cosine, probability, left), value * (others + 1f));
         }
     }
 
     // Of paths that end at a chosen point of a light.
-    private WaysW Ways(in ShapeSampleW sample) => new()
+    private WaysW Ways(in ShapeSampleW sample, in RgbW brought, FloatW cosine, FloatW probability, in RgbW left) => new()
     {
         From = 1u,
         To = At.Number + 2u,
         Point = Vec3W.MultiplyAdd(sample.Direction, FloatW.Min(sample.Distance, FarAway), At.Surface.Point),
+        Factors = new() { CameraPart = At.Throughput, CameraBsdf = At.Bsdf, Radiance = brought * (1f / sample.InversePdf), Left = left, Geometry = cosine, Pdf = probability / sample.InversePdf },
     };
 
     // The factor on light whose path has a wavelength where the camera's has none yet.

@@ -17,6 +17,9 @@ internal sealed unsafe class Connections(Scene scene, LightPass pass, Gathering 
     private const int Full = 16384;
     private readonly Transmittance? _transmittance = scene.TracksInteriors ? new(scene) : null;
     private Connection[] _waiting = new Connection[Full];
+
+    // For those who look at paths: the throughput, the BSDF and the cosine at the camera's ends.
+    private readonly List<(Rgb Throughput, Rgb Bsdf, float Cosine)> _ends = [];
     private int[] _order = new int[Full];
     private readonly int[] _starts = new int[scene.Groups.Length + 3];
     private readonly PathStream _room = new(16);
@@ -83,6 +86,7 @@ internal sealed unsafe class Connections(Scene scene, LightPass pass, Gathering 
         }
 
         _count = 0;
+        _ends.Clear();
     }
 
     private static PinnedBuffer<uint> Iota()
@@ -153,6 +157,11 @@ internal sealed unsafe class Connections(Scene scene, LightPass pass, Gathering 
         for (uint lanes = active.Bits; lanes != 0; lanes &= lanes - 1)
         {
             int lane = BitOperations.TrailingZeroCount(lanes);
+            if (recorder is not null)
+            {
+                _ends.Add((Lane(camera.Throughput, lane), Lane(bsdf, lane), InteriorShader.Cosine(surface, direction)[lane]));
+            }
+
             if (_count == _waiting.Length)
             {
                 Array.Resize(ref _waiting, 2 * _count);
@@ -214,7 +223,7 @@ internal sealed unsafe class Connections(Scene scene, LightPass pass, Gathering 
             gather(active.Bits, end.Path, arriving);
             if (recorder is not null)
             {
-                recorder.Add(active.Bits, end.Path, Ways(chosen, surface.Point), arriving, arriving * (others + 1f));
+                recorder.Add(active.Bits, end.Path, Ways(chosen, end, scattered, distance2, left), arriving, arriving * (others + 1f));
             }
 
             return;
@@ -228,14 +237,17 @@ internal sealed unsafe class Connections(Scene scene, LightPass pass, Gathering 
             rays.Add(active.Bits, end.Start, end.Instance, end.Inner, towards, distance, end.Time, -1, light, 0f, end.Path);
             if (recorder is not null)
             {
-                recorder.Wait(active.Bits, Ways(chosen, surface.Point), light * (lit + seen + 1f));
+                recorder.Wait(active.Bits, Ways(chosen, end, scattered, distance2, Rgb.White), light * (lit + seen + 1f));
             }
         }
     }
 
-    private WaysW Ways(ReadOnlySpan<int> chosen, in Vec3W point)
+    private static Rgb Lane(in RgbW color, int lane) => new(color.R[lane], color.G[lane], color.B[lane]);
+
+    private WaysW Ways(ReadOnlySpan<int> chosen, in EndW end, in RgbW scattered, in FloatW distance2, in RgbW left)
     {
         uint* numbers = stackalloc uint[3 * FloatW.Count];
+        float* ends = stackalloc float[7 * FloatW.Count];
         for (int lane = 0; lane < chosen.Length; lane++)
         {
             ref Connection connection = ref _waiting[chosen[lane]];
@@ -243,9 +255,29 @@ internal sealed unsafe class Connections(Scene scene, LightPass pass, Gathering 
             numbers[lane] = (vertex.State & PathState.VertexMask) + 2;
             numbers[FloatW.Count + lane] = connection.Number + 2;
             numbers[(2 * FloatW.Count) + lane] = vertex.Path;
+            (Rgb throughput, Rgb bsdf, float cosine) = _ends[chosen[lane]];
+            Rgb color = (vertex.State & PathState.HasWavelength) != 0 ? connection.Color : Rgb.White;
+            ReadOnlySpan<float> values = [throughput.R * color.R, throughput.G * color.G, throughput.B * color.B, bsdf.R, bsdf.G, bsdf.B, cosine];
+            for (int i = 0; i < values.Length; i++)
+            {
+                ends[(i * FloatW.Count) + lane] = values[i];
+            }
         }
 
-        return new() { From = UIntW.Load(numbers), To = UIntW.Load(numbers + FloatW.Count), LightPath = UIntW.Load(numbers + (2 * FloatW.Count)), Point = point };
+        FloatW cosines = Adjoint.Cosines(end.Surface, -end.Direction);
+        WayFactorsW factors = new()
+        {
+            CameraPart = Color(ends, 0),
+            CameraBsdf = Color(ends, 3),
+            LightPart = end.Power,
+            LightBsdf = scattered * (1f / cosines),
+            Left = left,
+            Geometry = FloatW.Load(ends + (6 * FloatW.Count)) * cosines / distance2,
+            Paths = pass.Weights.PerLightPath,
+        };
+        return new() { Factors = factors, From = UIntW.Load(numbers), To = UIntW.Load(numbers + FloatW.Count), LightPath = UIntW.Load(numbers + (2 * FloatW.Count)), Point = end.Surface.Point };
+
+        static RgbW Color(float* values, int first) => new(FloatW.Load(values + (first * FloatW.Count)), FloatW.Load(values + ((first + 1) * FloatW.Count)), FloatW.Load(values + ((first + 2) * FloatW.Count)));
     }
 
     // Brings the connections of a packet, and the rays that met the light's vertices, into lanes.

@@ -194,9 +194,11 @@ internal sealed unsafe class LightSubpaths : SubpathShader
         }
 
         RgbW light = at.Throughput * at.Bsdf * scale;
+        RgbW color = Rgb.White;
         if (Scene.Wavelengths is not null)
         {
-            light *= UIntW.Equal(at.State & PathState.HasWavelength, 0u).Select(Rgb.White, WavelengthColor());
+            color = UIntW.Equal(at.State & PathState.HasWavelength, 0u).Select(Rgb.White, WavelengthColor());
+            light *= color;
         }
 
         active = active.Except((at.Bsdf.R <= 0f) & (at.Bsdf.G <= 0f) & (at.Bsdf.B <= 0f));
@@ -206,11 +208,11 @@ internal sealed unsafe class LightSubpaths : SubpathShader
             _traced += BitOperations.PopCount(active.Bits);
             light *= left;
             Add(active.Bits, pixel, light);
-            _recorder?.Add(active.Bits, pixel, Ways(), light, light * ways);
+            _recorder?.Add(active.Bits, pixel, Ways(link, filtered, color, left), light, light * ways);
             return;
         }
 
-        Ask(group, active, link, pixel, light, ways);
+        Ask(group, active, link, pixel, light, ways, filtered, color);
     }
 
     // The number that chooses the path's wavelength: that of the camera paths of its sample.
@@ -223,7 +225,7 @@ internal sealed unsafe class LightSubpaths : SubpathShader
         return color;
     }
 
-    private void Ask(ShadingGroup group, MaskW active, in CameraLinkW link, in UIntW pixel, in RgbW light, FloatW ways)
+    private void Ask(ShadingGroup group, MaskW active, in CameraLinkW link, in UIntW pixel, in RgbW light, FloatW ways, FloatW filtered, in RgbW color)
     {
         ref VertexW at = ref At;
         at.Start = Leave(at.Surface, link.Direction);
@@ -233,7 +235,7 @@ internal sealed unsafe class LightSubpaths : SubpathShader
         if (active.Any)
         {
             _rays.Add(active.Bits, at.Start, group.IsInstanced ? at.Surface.Instance : 0u, at.Inner, link.Direction, link.Distance, at.Time, -1, light, 0f, pixel);
-            _recorder?.Wait(active.Bits, Ways(), light * ways);
+            _recorder?.Wait(active.Bits, Ways(link, filtered, color, Rgb.White), light * ways);
         }
 
         if (!_rays.HasRoomFor(FloatW.Count))
@@ -242,7 +244,26 @@ internal sealed unsafe class LightSubpaths : SubpathShader
         }
     }
 
-    private WaysW Ways() => new() { From = At.Number + 2u, To = 1u, LightPath = UIntW.Gather(_starts.PixelNumbers, At.Path), Point = At.Surface.Point };
+    private WaysW Ways(in CameraLinkW link, FloatW filtered, in RgbW color, in RgbW left)
+    {
+        FloatW cosines = Adjoint.Cosines(At.Surface, link.Direction);
+        return new()
+        {
+            From = At.Number + 2u,
+            To = 1u,
+            LightPath = UIntW.Gather(_starts.PixelNumbers, At.Path),
+            Point = At.Surface.Point,
+            Factors = new()
+            {
+                LightPart = At.Throughput * color,
+                LightBsdf = At.Bsdf * (1f / cosines),
+                Left = left,
+                Geometry = cosines,
+                Lens = link.Density * filtered,
+                Paths = Weights.PerLightPath / Weights.CameraPaths,
+            },
+        };
+    }
 
     private void Add(uint lanes, in UIntW pixel, in RgbW light)
     {

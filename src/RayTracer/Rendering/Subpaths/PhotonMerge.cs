@@ -87,6 +87,14 @@ internal sealed unsafe class PhotonMerge(LightPass pass, bool isIndirect, Strate
         {
             found *= end.Throughput * (1f / pass.MergedPaths);
             WaysW ways = new() { From = (photon.State & PathState.VertexMask) + 2u, To = end.Number + 2u, IsMerge = true, Point = photon.Point };
+            ways.Factors = new()
+            {
+                CameraPart = end.Throughput,
+                CameraBsdf = bsdf,
+                LightPart = photon.Power * color,
+                Geometry = FloatW.Abs(Vec3W.Dot(direction, surface.Facing)) / along,
+                Kernel = 1f / pass.MergedPaths,
+            };
             recorder.Add(has.Bits, end.Path, ways, found, found * (others + 1f));
         }
     }

@@ -63,7 +63,7 @@ internal sealed unsafe class StrategyRecorder(Scene scene, IArrivals arrivals)
     private static Rgb Lane(in RgbW color, int lane) => new(color.R[lane], color.G[lane], color.B[lane]);
 
     private static Arrival Lane(in WaysW ways, int lane, Rgb light, Rgb alone) => new(
-        ways.From[lane], ways.To[lane], ways.IsMerge, ways.LightPath[lane], new(ways.Point.X[lane], ways.Point.Y[lane], ways.Point.Z[lane]), light, alone);
+        ways.From[lane], ways.To[lane], ways.IsMerge, ways.LightPath[lane], new(ways.Point.X[lane], ways.Point.Y[lane], ways.Point.Z[lane]), light, alone, ways.Factors[lane]);
 
     private void Put(uint owner, in Arrival arrival)
     {
@@ -76,6 +76,6 @@ internal sealed unsafe class StrategyRecorder(Scene scene, IArrivals arrivals)
         PathNumber.Split(owner, _samples, out UIntW pixel, out UIntW sample);
         uint place = pixel[0];
         float weight = _hasWeights ? RayGenerator.Weight(scene, _cameraPaths.PixelKeys[place], sample)[0] : 1;
-        arrivals.Add(_cameraPaths.PixelNumbers[place], arrival with { Light = arrival.Light * weight, Alone = arrival.Alone * weight });
+        arrivals.Add(_cameraPaths.PixelNumbers[place], arrival with { Light = arrival.Light * weight, Alone = arrival.Alone * weight, Factors = arrival.Factors with { Filter = weight } });
     }
 }

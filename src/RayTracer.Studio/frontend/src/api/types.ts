@@ -156,6 +156,12 @@ export interface InspectedEmission {
   weight: number;
 }
 
+export interface InspectedFactor {
+  kind: WayFactor;
+  value: Vec3;
+  divides: boolean;
+}
+
 export interface InspectedLight {
   name: string;
   pointer: string | null;
@@ -220,6 +226,7 @@ export interface InspectedWay {
   weight: number;
   things: string[];
   points: Vec3[];
+  factors: InspectedFactor[];
 }
 
 export interface Job {
@@ -303,6 +310,7 @@ export interface Outline {
   materials: OutlineNode[];
   textures: OutlineNode[];
   objects: OutlineNode[];
+  idle: Record<string, string>;
 }
 
 export interface OutlineNode {
@@ -336,6 +344,7 @@ export interface PictureFormat {
   label: string;
   hasDepth: boolean;
   hasLayers: boolean;
+  hasAlpha: boolean;
   isFilm: boolean;
 }
 
@@ -443,6 +452,8 @@ export interface StudioState {
   document: DocumentStatus;
   selection: string | null;
   selected: string[];
+  hidden: string[];
+  locked: string[];
   render: RenderState;
   tone: ToneState;
   view: ViewStatus;
@@ -461,6 +472,8 @@ export interface TimeState {
   framesPerSecond: number;
   isPlaying: boolean;
   hasVideo: boolean;
+  isRecording: boolean;
+  complaint: string | null;
   values: AnimatedValue[];
 }
 
@@ -535,8 +548,11 @@ export interface ViewMap {
 export interface ViewStatus {
   pose: CameraPose | null;
   isSceneCamera: boolean;
+  picture: number;
   bookmarks: ViewBookmark[];
 }
+
+export type WayFactor = "cameraPart" | "cameraBsdf" | "lens" | "geometry" | "left" | "kernel" | "lightBsdf" | "lightPart" | "radiance" | "pdf" | "paths" | "filter";
 
 export interface WireShape {
   pointer: string | null;

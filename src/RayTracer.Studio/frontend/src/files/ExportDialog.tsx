@@ -2,7 +2,7 @@ import { useEffect, useState } from "preact/hooks";
 import { get } from "../api/client";
 import type { PictureFormat } from "../api/types";
 import { attempt } from "../state/messages";
-import { dialog, isOwnView, maps } from "../state/store";
+import { dialog, hidden, isOwnView, maps, renderState } from "../state/store";
 import { texts } from "../texts";
 import { Button } from "../ui/Button";
 import { DialogBox } from "../ui/DialogBox";
@@ -19,12 +19,15 @@ export function ExportDialog() {
   const [format, setFormat] = useState("png");
   const [bits, setBits] = useState("8");
   const [layers, setLayers] = useState<string[]>([]);
+  const [isTransparent, setTransparent] = useState(false);
   const [seenFrom, setSeenFrom] = useState<"scene" | "view">("scene");
   const [isNaming, setNaming] = useState(false);
   const close = () => (dialog.value = null);
   const about = formats.find((f) => f.value === format);
-  const options = { format, bitDepth: Number(bits), layers: about?.hasLayers ? layers : [], asSeen: seenFrom === "view" };
-  const isElsewhere = isOwnView() && seenFrom === "scene";
+  const hasAlpha = (about?.hasAlpha ?? false) && renderState.value?.edition === renderState.value?.editions[0];
+  const options = { format, bitDepth: Number(bits), layers: about?.hasLayers ? layers : [], asSeen: seenFrom === "view", transparent: hasAlpha && isTransparent };
+  const isOther = isOwnView() || (hidden.value?.length ?? 0) > 0;
+  const isElsewhere = (isOther && seenFrom === "scene") || options.transparent;
   useEffect(() => void attempt(async () => setFormats((await get<{ formats: PictureFormat[] }>("picture/formats")).formats)), []);
 
   if (isNaming) {
@@ -43,7 +46,7 @@ export function ExportDialog() {
   return (
     <DialogBox title={t.exportTitle} onClose={close} buttons={buttons} help="image-formats">
       <p class="quiet">{t.formatWhy}</p>
-      {isOwnView() && (
+      {isOther && (
         <>
           <label class="line">
             <span>{t.exportCamera}</span>
@@ -60,6 +63,12 @@ export function ExportDialog() {
         <label class="line">
           <span>{t.bits}</span>
           <Select label={t.bits} value={bits} choices={["8", "16"].map((b) => ({ value: b, label: b }))} onChange={setBits} />
+        </label>
+      )}
+      {hasAlpha && (
+        <label class="check" data-tip={t.transparentWhy}>
+          <input type="checkbox" checked={isTransparent} onChange={(e) => setTransparent(e.currentTarget.checked)} />
+          {t.transparent}
         </label>
       )}
       {about?.hasLayers && (

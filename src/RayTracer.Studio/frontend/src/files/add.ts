@@ -1,18 +1,31 @@
 import type { CatalogueType } from "../api/types";
-import { kindOf } from "../panel/types";
-import { addThing } from "../state/edits";
+import { kindOf, spaced } from "../panel/types";
+import { addThing, type Pixel } from "../state/edits";
 import { rightTab } from "../state/settings";
-import { documentState } from "../state/store";
+import { documentState, outline, schema } from "../state/store";
+import type { MenuItem } from "../ui/Menu";
 import { chooseFile } from "./choose";
 import { relativeTo } from "./paths";
 
-/** Adds a thing to the scene; one that cannot be without a file asks for it first. */
-export function add(family: string, type: CatalogueType): void {
+/** Adds a thing to the scene, at a pixel of the picture or where one looks; one that cannot be without a file asks for it first. */
+export function add(family: string, type: CatalogueType, at?: Pixel): void {
   const put = (file?: string) => {
     rightTab.value = family === "environment" ? "world" : "object";
-    addThing(family, type.name, file);
+    addThing(family, type.name, file, at);
   };
   const needsFile = type.parameters.some((p) => p.required && kindOf(p) === "file");
   if (needsFile) chooseFile((path) => put(relativeTo(documentState.value?.path ?? null, path)));
   else put();
+}
+
+/** All that can be added, as items of a menu: families one after the other. */
+export function addItems(families: readonly string[], groupOf: (family: string) => string, at?: Pixel): MenuItem[] {
+  const all = Object.values(schema.value?.types ?? {}).flat();
+  const isPossible = (type: CatalogueType) => !!outline.value?.objects.length || !type.parameters.some((p) => p.required && p.kind === "shape");
+  return families.flatMap((family) =>
+    all
+      .filter((type) => type.addedAs.includes(family) && isPossible(type))
+      .sort((a, b) => a.addedAs.length - b.addedAs.length)
+      .map((type) => ({ label: spaced(type.name), name: `${groupOf(family)}: ${spaced(type.name)}`, tip: type.summary, group: groupOf(family), run: () => add(family, type, at) })),
+  );
 }

@@ -81,11 +81,12 @@ export interface PictureOptions {
   layers: string[];
   /** What is seen instead of what the scene's camera sees. */
   asSeen: boolean;
+  transparent: boolean;
 }
 
 export const savePicture = (path: string, options: PictureOptions) => {
-  const { bitDepth, layers, asSeen } = options;
-  return attempt(() => writing(path, (overwrite) => post("save/picture", { path, bitDepth, layers, asSeen, overwrite })));
+  const { bitDepth, layers, asSeen, transparent } = options;
+  return attempt(() => writing(path, (overwrite) => post("save/picture", { path, bitDepth, layers, asSeen, transparent, overwrite })));
 };
 
 /** Starts something that is rendered into files beside the user's work. */
@@ -110,7 +111,7 @@ function download(blob: Blob, name: string): void {
 /** What files made from this scene are called. */
 export const sceneName = () => documentState.value?.name || "scene.json";
 
-export const downloadPicture = ({ format, bitDepth, layers }: Omit<PictureOptions, "asSeen">) =>
+export const downloadPicture = ({ format, bitDepth, layers }: Omit<PictureOptions, "asSeen" | "transparent">) =>
   attempt(async () => {
     const query = { format, bitDepth, layers: layers.length ? layers.join(",") : undefined };
     download(await getBlob("picture", query), nameOf(withExtension(sceneName(), format)));

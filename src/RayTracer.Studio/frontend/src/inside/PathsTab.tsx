@@ -14,7 +14,7 @@ import { chosenSample, chosenWay, drawsAll, firstSample, followPaths, litSamples
 import { PathScene } from "./PathScene";
 import { PixelBars } from "./PixelBars";
 import { TreeStepper } from "./TreeStepper";
-import { VertexEquation } from "./VertexEquation";
+import { VertexEquation, WayEquation } from "./VertexEquation";
 import type { DockTab } from "../shell/Dock";
 
 const t = texts.paths;
@@ -111,15 +111,18 @@ function Explanation({ sample }: { sample: InspectedPath | undefined }) {
 }
 
 function WayRow({ way, index }: { way: InspectedWay; index: number }) {
-  const isChosen = chosenWay.value === index;
+  const isOpen = chosenWay.value === index;
   return (
-    <tr>
-      <td><button type="button" class="link" aria-pressed={isChosen} onClick={() => (chosenWay.value = isChosen ? -1 : index)}>{way.lightVertices} + {way.cameraVertices}</button></td>
-      <td data-tip={t.eventsWhy[way.event]}><span class={`event ${way.event}`}>{t.events[way.event] ?? way.event}</span></td>
-      <td>{way.things.join(" → ")}</td>
-      <td class="figures">{format(way.weight, 3)}</td>
-      <td class="figures">{rgb(way.radiance)}</td>
-    </tr>
+    <>
+      <tr class={isOpen ? "open" : ""}>
+        <td><button type="button" class="link" aria-expanded={isOpen} aria-label={t.openWay(way.lightVertices, way.cameraVertices)} onClick={() => (chosenWay.value = isOpen ? -1 : index)}>{isOpen ? "▾" : "▸"} {way.lightVertices} + {way.cameraVertices}</button></td>
+        <td data-tip={t.eventsWhy[way.event]}><span class={`event ${way.event}`}>{t.events[way.event] ?? way.event}</span></td>
+        <td>{way.things.join(" → ")}</td>
+        <td class="figures">{format(way.weight, 3)}</td>
+        <td class="figures">{rgb(way.radiance)}</td>
+      </tr>
+      {isOpen && <tr class="opened" ref={reveal}><td colSpan={5}><WayEquation way={way} /></td></tr>}
+    </>
   );
 }
 

@@ -1,4 +1,4 @@
-import type { InspectedLight, InspectedVertex } from "../api/types";
+import type { InspectedFactor, InspectedLight, InspectedVertex, InspectedWay } from "../api/types";
 import { format } from "../json/numbers";
 import { select } from "../state/edits";
 import { texts } from "../texts";
@@ -7,15 +7,15 @@ import { rgb } from "./format";
 const t = texts.paths;
 
 /** A factor of a product: its value over its name. */
-function Factor({ name, value }: { name: string; value: string }) {
-  return <span class="factor"><span class="figures">{value}</span><small>{name}</small></span>;
+function Factor({ name, value, tip }: { name: string; value: string; tip?: string | undefined }) {
+  return <span class="factor" data-tip={tip}><span class="figures">{value}</span><small>{name}</small></span>;
 }
 
-function Product({ factors, over, result }: { factors: [string, string][]; over?: [string, string] | undefined; result: string }) {
+function Product({ factors, over, result }: { factors: [string, string, string?][]; over?: [string, string, string?] | undefined; result: string }) {
   return (
     <div class="product">
-      {factors.map(([name, value], i) => <span key={name}>{i > 0 && " · "}<Factor name={name} value={value} /></span>)}
-      {over && <span> / <Factor name={over[0]} value={over[1]} /></span>}
+      {factors.map(([name, value, tip], i) => <span key={name}>{i > 0 && " · "}<Factor name={name} value={value} tip={tip} /></span>)}
+      {over && <span> / <Factor name={over[0]} value={over[1]} tip={over[2]} /></span>}
       <span> = <strong class="figures">{result}</strong></span>
     </div>
   );
@@ -42,6 +42,19 @@ function LightRow({ vertex, light }: { vertex: InspectedVertex; light: Inspected
       )}
       {arrives && light.scatterPdf !== null && <p class="quiet">{t.shares(format(light.weight, 3), format(1 - light.weight, 3), format(light.pdf, 3), format(light.scatterPdf, 3))}</p>}
     </li>
+  );
+}
+
+/** The light of a path of two parts as an equation. */
+export function WayEquation({ way }: { way: InspectedWay }) {
+  const written = ({ kind, value }: InspectedFactor): [string, string, string] =>
+    [t.factors[kind], value.every((v) => v === value[0]) ? format(value[0]!, 3) : rgb(value), t.factorsWhy[kind]];
+  const over = way.factors.find((f) => f.divides);
+  return (
+    <div class="equation">
+      <p>{t.eventsWhy[way.event]}</p>
+      {way.factors.length > 0 && <Product factors={[...way.factors.filter((f) => !f.divides).map(written), [t.share, format(way.weight, 3)]]} over={over && written(over)} result={rgb(way.radiance)} />}
+    </div>
   );
 }
 

@@ -1,11 +1,12 @@
 import { signal } from "@preact/signals";
 import { useRef } from "preact/hooks";
 import { parent } from "../json/pointer";
-import { askForName, duplicate, isThing, remove, select } from "../state/edits";
+import { applyTo, askForName, duplicate, isGiven, isSeen, isThing, remove, select, toggleHidden, toggleLocked } from "../state/edits";
 import { rightOpen, rightTab } from "../state/settings";
-import { outline, selected, selection } from "../state/store";
+import { hidden, locked, outline, selected, selection } from "../state/store";
 import { texts } from "../texts";
 import { Icon, type IconName } from "../ui/Icon";
+import { draggedThing, dragThing, droppedThing } from "./drag";
 import { rowsOf, type Row } from "./rows";
 
 const filter = signal("");
@@ -64,6 +65,22 @@ function RowName({ row }: { row: Row }) {
   );
 }
 
+/** Whether a thing is hidden and locked, to be clicked; by keyboard, H and L do the same with what is selected. */
+function Marks({ row: { pointer, node } }: { row: Row }) {
+  if (!node || !isSeen(pointer)) return null;
+  const [isHidden, isLocked] = [hidden.value?.includes(pointer), locked.value?.includes(pointer)];
+  const mark = (icon: IconName, isOn: boolean | undefined, state: string, label: string, toggle: (pointers: string[]) => void) => (
+    <span class={`mark ${isOn ? "on" : ""}`} role="img" aria-label={isOn ? state : undefined} aria-hidden={!isOn} data-tip={label} onClick={(e) => (e.stopPropagation(), toggle([pointer]))} onDblClick={(e) => e.stopPropagation()}><Icon name={icon} /></span>
+  );
+  const t = texts.outliner;
+  return (
+    <span class="marks">
+      {mark(isHidden ? "eyeOff" : "eye", isHidden, t.hidden, isHidden ? t.show(node.name) : t.hide(node.name), toggleHidden)}
+      {mark(isLocked ? "lock" : "unlock", isLocked, t.locked, isLocked ? t.unlock(node.name) : t.lock(node.name), toggleLocked)}
+    </span>
+  );
+}
+
 interface TreeRowProps {
   row: Row;
   isReachable: boolean;
@@ -71,10 +88,21 @@ interface TreeRowProps {
 
 function TreeRow({ row, isReachable }: TreeRowProps) {
   const { isOpen, pointer, node, isHeading, level } = row;
+  const takes = !isHeading && /^\/(shapes|materials)\//.test(pointer);
+  const onDrop = (e: DragEvent) => {
+    const given = droppedThing(e);
+    if (!takes || !given || given === pointer) return;
+    e.preventDefault();
+    applyTo(given, { things: [pointer] });
+  };
   return (
     <div
       role="treeitem"
-      class={`node ${isHeading ? "heading" : ""}`}
+      class={`node ${isHeading ? "heading" : ""} ${hidden.value?.includes(pointer) ? "hidden-thing" : ""}`}
+      draggable={isGiven(pointer)}
+      onDragStart={(e) => dragThing(e, pointer)}
+      onDragOver={(e) => takes && draggedThing(e) && e.preventDefault()}
+      onDrop={onDrop}
       aria-selected={isChosen(row)}
       aria-expanded={isOpen ?? undefined}
       aria-level={level}
@@ -90,6 +118,7 @@ function TreeRow({ row, isReachable }: TreeRowProps) {
         <span class={`twist ${isOpen ? "open" : ""}`} aria-hidden="true" onClick={(e) => (e.stopPropagation(), toggle(pointer))}><Icon name="chevron" /></span>
       )}
       <RowName row={row} />
+      <Marks row={row} />
     </div>
   );
 }

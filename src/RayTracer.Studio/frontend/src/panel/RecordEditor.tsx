@@ -1,7 +1,7 @@
 import type { Json, CatalogueType } from "../api/types";
 import { join } from "../json/pointer";
 import { resetValue } from "../state/edits";
-import { time } from "../state/store";
+import { outline, time } from "../state/store";
 import { texts } from "../texts";
 import { Button } from "../ui/Button";
 import { animatedAt, atTime } from "../timeline/atTime";
@@ -30,11 +30,40 @@ function explain(parameter: CatalogueParameter): string {
 
 /** One row for each parameter of a record, in the schema's order. */
 export function RecordEditor({ type, pointer, value, without = [] }: RecordEditorProps) {
+  const reasons = outline.value?.idle ?? {};
+  const shown = type.parameters.filter((p) => !without.includes(p.key));
+  const reasonOf = (parameter: CatalogueParameter) => reasons[join(pointer, parameter.key)];
+  const idle = shown.filter(reasonOf);
+  return (
+    <div class="record">
+      <Rows parameters={shown.filter((p) => !reasonOf(p))} pointer={pointer} value={value} />
+      {idle.length > 0 && (
+        <details class="idle">
+          <summary>{texts.panel.idle(idle.map((p) => spaced(p.key)).join(", "))}</summary>
+          {idle.map((p, i) => (
+            <div key={p.key}>
+              {reasonOf(p) !== (i > 0 && reasonOf(idle[i - 1]!)) && <p class="quiet">{reasonOf(p)}</p>}
+              <Rows parameters={[p]} pointer={pointer} value={value} />
+            </div>
+          ))}
+        </details>
+      )}
+    </div>
+  );
+}
+
+interface RowsProps {
+  parameters: readonly CatalogueParameter[];
+  pointer: string;
+  value: Json | undefined;
+}
+
+function Rows({ parameters, pointer, value }: RowsProps) {
   const animated = time.value?.values ?? [];
   const written = isObject(value) ? value : {};
   return (
-    <div class="record">
-      {type.parameters.filter((p) => !without.includes(p.key)).map((parameter) => {
+    <>
+      {parameters.map((parameter) => {
         const at = join(pointer, parameter.key);
         const own = written[parameter.key];
         const isAnimated = animatedAt(at, animated).length > 0;
@@ -59,6 +88,6 @@ export function RecordEditor({ type, pointer, value, without = [] }: RecordEdito
           </div>
         );
       })}
-    </div>
+    </>
   );
 }

@@ -1,5 +1,6 @@
 import { last } from "../json/pointer";
-import { duplicate, isThing, remove, setValue, withSelection } from "../state/edits";
+import { commandButton } from "../state/commands";
+import { duplicate, isGiven, isThing, remove, setValue, withSelection } from "../state/edits";
 import { dialog, schema, selected } from "../state/store";
 import { texts } from "../texts";
 import { Button } from "../ui/Button";
@@ -38,6 +39,7 @@ export function ThingPanel({ pointer, without = ["name"] }: { pointer: string; w
         </header>
       )}
       {(selected.value?.length ?? 0) > 1 && <p class="summary">{texts.panel.several(selected.value!.length)}</p>}
+      {(selected.value?.length ?? 0) > 1 && isGiven(pointer) && <Button {...commandButton("apply")} showLabel kind="plain" />}
       {canRetype ? (
         <div class="row">
           <div class="row-label"><label for="thing-type">{texts.panel.type}</label></div>

@@ -1,28 +1,17 @@
-import type { CatalogueType } from "../api/types";
-import { add } from "../files/add";
+import { addItems } from "../files/add";
 import { commandButton, commandItem, type CommandId } from "../state/commands";
 import { bottomOpen, leftOpen, rightOpen } from "../state/settings";
-import { documentState, outline, renderState, schema } from "../state/store";
+import { documentState, renderState } from "../state/store";
 import { texts } from "../texts";
 import { Button } from "../ui/Button";
-import { Menu, type MenuItem } from "../ui/Menu";
-import { spaced } from "../panel/types";
+import { Menu } from "../ui/Menu";
 
 const t = texts.toolbar;
 const fileItems: CommandId[] = ["new", "open", "gallery", "save", "saveAs", "export", "background", "lights", "copyImage", "copyCommand", "bundle"];
-const moreItems: CommandId[] = ["duplicate", "delete", "rename", "deselect", "filter", "home", "alone", "theme"];
+const moreItems: CommandId[] = ["duplicate", "delete", "rename", "apply", "hide", "showAll", "lock", "deselect", "filter", "home", "alone", "theme"];
 const helpItems: CommandId[] = ["help", "lessons", "shortcuts", "tour"];
 
-function addItems(): MenuItem[] {
-  const all = Object.values(schema.value?.types ?? {}).flat();
-  const isPossible = (type: CatalogueType) => !!outline.value?.objects.length || !type.parameters.some((p) => p.required && p.kind === "shape");
-  return ["shape", "light", "environment", "material", "texture"].flatMap((family) =>
-    all
-      .filter((type) => type.addedAs.includes(family) && isPossible(type))
-      .sort((a, b) => a.addedAs.length - b.addedAs.length)
-      .map((type) => ({ label: spaced(type.name), name: `${texts.families[family]}: ${spaced(type.name)}`, tip: type.summary, group: texts.families[family], run: () => add(family, type) })),
-  );
-}
+const families = ["shape", "light", "environment", "material", "texture"];
 
 /** The row at the top: files, history, rendering, panes. */
 export function Toolbar() {
@@ -37,7 +26,7 @@ export function Toolbar() {
      <div class="tools" role="toolbar" aria-label={t.label}>
       <div class="group">
         <Menu label={t.file} items={fileItems.map(commandItem)} />
-        <Menu label={t.add} tip={t.addWhy} icon="add" items={addItems()} />
+        <Menu label={t.add} tip={t.addWhy} icon="add" items={addItems(families, (family) => texts.families[family]!)} />
       </div>
       <div class="group">
         <Button {...commandButton("save")} />

@@ -11,12 +11,12 @@ import type { MenuItem } from "../ui/Menu";
 import type { IconName } from "../ui/Icon";
 import { cameraHome, frame, keepView, lookAlong, setCamera } from "../viewport/camera";
 import { actualSize, fit, zoomBy } from "../viewport/stage";
-import { askForName, duplicate, isSeen, remove, select, withSelection } from "./edits";
+import { applyToSelected, askForName, duplicate, isSeen, remove, select, showAll, toggleHidden, toggleLocked, withSelection } from "./edits";
 import { stepFrame, togglePlay } from "../timeline/frames";
 import { placeOfAttention } from "../help/places";
 import { attempt } from "./messages";
 import { bottomOpen, bottomTab, leftOpen, leftTab, rightOpen, theme, type Theme } from "./settings";
-import { backgroundKind, comparison, dialog, documentState, helpAt, renderState, pictureAlone, isOwnView, selection, time, tool, tourStep, type Tool } from "./store";
+import { backgroundKind, comparison, dialog, documentState, helpAt, hidden, renderState, pictureAlone, isOwnView, selection, time, tool, tourStep, type Tool } from "./store";
 
 export type CommandId = keyof typeof texts.commands;
 export type Group = keyof typeof texts.groups;
@@ -74,6 +74,10 @@ const actions: Record<CommandId, Pick<Command, "run" | "enabled">> = {
   duplicate: { run: () => withSelection(duplicate) },
   delete: { run: () => withSelection(remove) },
   rename: { run: askForName },
+  apply: { run: applyToSelected },
+  hide: { run: () => withSelection(toggleHidden) },
+  showAll: { run: showAll, enabled: () => (hidden.value?.length ?? 0) > 0 },
+  lock: { run: () => withSelection(toggleLocked) },
   deselect: { run: () => (pictureAlone.value ? (pictureAlone.value = false) : select(null)) },
   pause: { run: () => rendering(isRunning() ? "pause" : "continue") },
   stop: { run: () => rendering("stop") },

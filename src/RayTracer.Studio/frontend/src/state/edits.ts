@@ -4,7 +4,7 @@ import { post } from "../api/client";
 import { Latest } from "../api/latest";
 import type { Json, Vec3 } from "../api/types";
 import { attempt, complain } from "./messages";
-import { dialog, selected, selection } from "./store";
+import { dialog, hidden, locked, selected, selection } from "./store";
 
 const page = Math.random().toString(36).slice(2, 8);
 let gestures = 0;
@@ -33,9 +33,13 @@ export const resetValue = (pointer: string) => attempt(() => post("document/set"
 /** Selects a thing; `adds` where it shall be selected beside others, or no longer. */
 export const select = (pointer: string | null, adds = false) => attempt(() => post("select", { pointer, adds }));
 
-export const addThing = (family: string, type: string, file?: string) =>
+/** A pixel of the picture. */
+export type Pixel = [number, number];
+
+/** Adds a thing where one looks, or at a pixel. */
+export const addThing = (family: string, type: string, file?: string, at?: Pixel) =>
   attempt(async () => {
-    const added = await post<{ pointer: string }>("document/add", { family, type, file });
+    const added = await post<{ pointer: string }>("document/add", { family, type, file, at });
     await post("select", { pointer: isThing(added.pointer) ? added.pointer : null });
   });
 
@@ -46,6 +50,32 @@ export const duplicate = (pointers: string[]) =>
   });
 
 export const remove = (pointers: string[]) => attempt(() => post("document/delete", { pointers }));
+
+/** What can be given to things: what has a name among materials and textures, and lights. */
+export const isGiven = (pointer: string | null): pointer is string => pointer !== null && /^\/(materials|textures|lights)\/[^/]+$/.test(pointer);
+
+/** Gives a material, a texture or a light to things, or to the one at a pixel. */
+export const applyTo = (pointer: string, to: { things: string[] } | { at: Pixel }) => attempt(() => post("document/apply", { pointer, ...to }));
+
+/** Gives what was selected last to the other selected things. */
+export function applyToSelected(): void {
+  const what = selection.value;
+  if (isGiven(what)) applyTo(what, { things: (selected.value ?? []).filter((p) => p !== what && /^\/(shapes|materials)\//.test(p)) });
+}
+
+const isMarked = (marked: readonly string[] | null, pointer: string) => marked?.includes(pointer) ?? false;
+const marking = (path: string, marked: () => readonly string[] | null) => (pointers: string[]) => {
+  const seen = pointers.filter(isSeen);
+  if (seen.length > 0) attempt(() => post(path, { pointers: seen, isMarked: !seen.every((p) => isMarked(marked(), p)) }));
+};
+
+/** Hides things, or shows them where all are hidden; locks them, or unlocks them. */
+export const toggleHidden = marking("view/hide", () => hidden.value);
+export const toggleLocked = marking("view/lock", () => locked.value);
+export const showAll = () => attempt(() => post("view/hide", { pointers: hidden.value ?? [], isMarked: false }));
+
+/** Whether a thing is locked, or one that it is a part of. */
+export const isLocked = (pointer: string) => (locked.value ?? []).some((p) => pointer === p || pointer.startsWith(`${p}/`));
 
 export const rename = (pointer: string, name: string) => attempt(() => post("document/rename", { pointer, name }));
 

@@ -31,8 +31,23 @@ export const leftWidth = remembered("leftWidth", 256);
 export const rightWidth = remembered("rightWidth", 336);
 export const bottomHeight = remembered("bottomHeight", 264);
 
-// In a narrow window panes lie over the picture, and are closed at first.
-const paneOpen = (name: string) => (narrowWindow.matches ? signal(false) : remembered(name, true));
+const isNarrow = signal(narrowWindow.matches);
+narrowWindow.addEventListener("change", () => (isNarrow.value = narrowWindow.matches));
+
+// In a narrow window panes lie over the picture: there they are closed at first, whatever is open in a wide one.
+function paneOpen(name: string): { value: boolean } {
+  const [wide, narrow] = [remembered(name, true), signal(false)];
+  const now = () => (isNarrow.value ? narrow : wide);
+  return {
+    get value() {
+      return now().value;
+    },
+    set value(isOpen) {
+      now().value = isOpen;
+    },
+  };
+}
+
 export const leftOpen = paneOpen("leftOpen");
 export const rightOpen = paneOpen("rightOpen");
 export const bottomOpen = paneOpen("bottomOpen");

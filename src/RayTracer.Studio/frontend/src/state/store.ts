@@ -42,6 +42,9 @@ export const shownFrame = computed(() => studio.value?.time.shown ?? null);
 /** The thing that was selected last, and all that are selected. */
 export const selection = computed(() => studio.value?.selection ?? null);
 export const selected = slice((s) => s.selected);
+/** The things that are left out of the view, and those that cannot be picked or dragged in it. */
+export const hidden = slice((s) => s.hidden);
+export const locked = slice((s) => s.locked);
 export const revision = computed(() => studio.value?.document.revision ?? -1);
 export const maps = computed(() => schema.value?.maps ?? []);
 export const map = computed(() => studio.value?.render.map ?? "light");

@@ -1,5 +1,8 @@
+import { useEffect } from "preact/hooks";
+import { post } from "../api/client";
 import type { DockTab } from "../shell/Dock";
 import { commandButton } from "../state/commands";
+import { attempt } from "../state/messages";
 import { time } from "../state/store";
 import { texts } from "../texts";
 import { Button } from "../ui/Button";
@@ -13,6 +16,7 @@ import { Ruler } from "./Ruler";
 
 const t = texts.timeline;
 const emptyLength = 48;
+const record = (isOn: boolean) => attempt(() => post("timeline/record", { isOn }));
 
 function Bar() {
   const now = time.value;
@@ -25,6 +29,7 @@ function Bar() {
       <Button {...commandButton("frameBefore")} />
       <Button {...commandButton("play")} icon={now.isPlaying ? "pause" : "play"} pressed={now.isPlaying} />
       <Button {...commandButton("frameAfter")} />
+      <Button label={t.record} tip={t.recordWhy} icon="record" pressed={now.isRecording} onClick={() => record(!now.isRecording)} />
       <label class="line frame">
         <span>{t.frame}</span>
         <NumberField label={t.frame} value={now.frame ?? 0} bounds={{ minimum: 0, maximum: null, isInteger: true }} onChange={showFrame} />
@@ -44,12 +49,15 @@ function Bar() {
 /** The frames of the animation, and its keys. */
 function Timeline() {
   const now = time.value;
+  // Whoever does not see the keys does not want to set them.
+  useEffect(() => () => void (time.peek()?.isRecording && record(false)), []);
   if (!now) return null;
   const last = Math.max(now.frames, now.frame ?? 0, now.frames > 0 ? 1 : emptyLength);
   const length = last * 1.03;
   return (
     <div class="timeline">
       <Bar />
+      {now.complaint && <p class="quiet pad" role="status">{now.complaint}</p>}
       <div class="lanes">
         <div class="key-row head">
           <span class="row-name" />

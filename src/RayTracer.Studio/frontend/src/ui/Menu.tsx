@@ -21,28 +21,34 @@ interface MenuProps {
   showLabel?: boolean;
 }
 
-/** A button that opens a list of commands; arrow keys, Home, End and letters move in it. */
-export function Menu({ label, items, icon, tip, showLabel = true }: MenuProps) {
-  const [isOpen, setOpen] = useState(false);
+interface MenuListProps {
+  label: string;
+  items: MenuItem[];
+  /** Called when it shall close: with true if the focus shall go back to where it was. */
+  close: (returnsFocus: boolean) => void;
+  /** Where it stands in the window; null for below its button. */
+  at?: { x: number; y: number };
+}
+
+/** A list of commands; arrow keys, Home, End and letters move in it. */
+export function MenuList({ label, items, close, at }: MenuListProps) {
   const root = useRef<HTMLDivElement>(null);
   const buttons = () => [...(root.current?.querySelectorAll<HTMLElement>("[role=menuitem]") ?? [])];
 
-  const close = (focusButton: boolean) => {
-    setOpen(false);
-    if (focusButton) root.current?.querySelector("button")?.focus();
-  };
-
   // A layout effect, so that the next key finds the focus in the menu, or not there any more.
   useLayoutEffect(() => {
-    if (!isOpen) return;
+    const list = root.current!;
+    if (at) {
+      list.style.left = `${Math.max(0, Math.min(at.x, innerWidth - list.offsetWidth - 4))}px`;
+      list.style.top = `${Math.max(0, Math.min(at.y, innerHeight - list.offsetHeight - 4))}px`;
+    }
     buttons()[0]?.focus();
-    const outside = (e: PointerEvent) => root.current?.contains(e.target as Node) || close(false);
+    const outside = (e: PointerEvent) => list.parentElement!.contains(e.target as Node) || close(false);
     document.addEventListener("pointerdown", outside);
     return () => document.removeEventListener("pointerdown", outside);
-  }, [isOpen]);
+  }, []);
 
   const onKeyDown = (e: KeyboardEvent) => {
-    if (!isOpen) return;
     const all = buttons();
     const here = all.indexOf(document.activeElement as HTMLElement);
     const letter = e.key.length === 1 ? all.findIndex((b, i) => i > here && b.textContent?.toLowerCase().startsWith(e.key.toLowerCase())) : -1;
@@ -58,8 +64,44 @@ export function Menu({ label, items, icon, tip, showLabel = true }: MenuProps) {
   };
 
   return (
-    <div class="menu" ref={root} onKeyDown={onKeyDown}>
+    <div role="menu" aria-label={label} class={`menu-list ${at ? "free" : ""}`} ref={root} onKeyDown={onKeyDown}>
+      {items.map((item, i) => (
+        <>
+          {item.group !== undefined && item.group !== items[i - 1]?.group && <div class="menu-group" role="presentation">{item.group}</div>}
+          <button
+            type="button"
+            role="menuitem"
+            tabIndex={-1}
+            aria-label={item.name}
+            aria-disabled={item.disabled || undefined}
+            data-tip={item.tip}
+            onClick={() => {
+              if (item.disabled) return;
+              close(true);
+              item.run();
+            }}
+          >
+            <span>{item.label}</span>
+            {item.keys && <kbd aria-hidden="true">{item.keys}</kbd>}
+          </button>
+        </>
+      ))}
+    </div>
+  );
+}
+
+/** A button that opens a list of commands. */
+export function Menu({ label, items, icon, tip, showLabel = true }: MenuProps) {
+  const [isOpen, setOpen] = useState(false);
+  const button = useRef<HTMLButtonElement>(null);
+  const close = (returnsFocus: boolean) => {
+    setOpen(false);
+    if (returnsFocus) button.current?.focus();
+  };
+  return (
+    <div class="menu">
       <button
+        ref={button}
         type="button"
         class={`button quiet ${showLabel ? "" : "only-icon"}`}
         aria-label={label}
@@ -72,31 +114,7 @@ export function Menu({ label, items, icon, tip, showLabel = true }: MenuProps) {
         {showLabel && <span>{label}</span>}
         {showLabel && <Icon name="down" />}
       </button>
-      {isOpen && (
-        <div role="menu" aria-label={label} class="menu-list">
-          {items.map((item, i) => (
-            <>
-              {item.group !== undefined && item.group !== items[i - 1]?.group && <div class="menu-group" role="presentation">{item.group}</div>}
-              <button
-                type="button"
-                role="menuitem"
-                tabIndex={-1}
-                aria-label={item.name}
-                aria-disabled={item.disabled || undefined}
-                data-tip={item.tip}
-                onClick={() => {
-                  if (item.disabled) return;
-                  close(true);
-                  item.run();
-                }}
-              >
-                <span>{item.label}</span>
-                {item.keys && <kbd aria-hidden="true">{item.keys}</kbd>}
-              </button>
-            </>
-          ))}
-        </div>
-      )}
+      {isOpen && <MenuList label={label} items={items} close={close} />}
     </div>
   );
 }

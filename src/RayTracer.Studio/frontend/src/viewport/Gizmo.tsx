@@ -35,7 +35,7 @@ export function Gizmo() {
   useEffect(() => {
     if (isShown) asked.push({ pointer, kind, length });
     else gizmo.value = null;
-  }, [pointer, kind, isShown, length, documentState.value?.builtRevision, viewState.value?.pose, shownFrame.value, movingFrames.value, cameraMoves.value]);
+  }, [pointer, kind, isShown, length, documentState.value?.builtRevision, viewState.value?.picture, shownFrame.value, movingFrames.value, cameraMoves.value]);
 
   const answer = gizmo.value;
   if (!isShown || !answer?.center || answer.kind !== kind) return null;

@@ -3,7 +3,7 @@ import { useEffect } from "preact/hooks";
 import { get, post } from "../api/client";
 import { Latest } from "../api/latest";
 import type { LightBody, LightDrag } from "../api/types";
-import { select } from "../state/edits";
+import { isLocked, select } from "../state/edits";
 import { complain } from "../state/messages";
 import { rightTab } from "../state/settings";
 import { documentState, outline, selection, shownFrame, viewState } from "../state/store";
@@ -21,10 +21,10 @@ const glyphs: Record<string, string> = { point: icons.light, spot: icons.spot, d
 /** Icons of the lights that no ray meets; the selected light's outline and handles. */
 export function LightBodies() {
   const isShown = !cameraMoves.value;
-  const pose = viewState.value?.pose;
+  const shown = viewState.value?.picture;
   useEffect(() => {
     if (isShown) asked.push(null);
-  }, [isShown, pose, documentState.value?.builtRevision, shownFrame.value, placement.value.scale]);
+  }, [isShown, shown, documentState.value?.builtRevision, shownFrame.value, placement.value.scale]);
   if (!isShown || bodies.value.length === 0) return null;
 
   const choose = (pointer: string) => {
@@ -36,12 +36,13 @@ export function LightBodies() {
     <svg class="gizmo lights" role="group" aria-label={texts.viewport.lights}>
       {bodies.value.map((body) => {
         const isSelected = selection.value === body.pointer;
+        const isFree = !isLocked(body.pointer);
         const [at] = pointsOnStage([body.place]);
         const name = findNode(outline.value, body.pointer)?.name ?? body.kind;
         return (
           <g key={body.pointer} class={isSelected ? "light selected" : "light"}>
             {isSelected && body.lines.map((line) => <polyline class="line" points={pointsOnStage(line).map((p) => `${p.x.toFixed(1)},${p.y.toFixed(1)}`).join(" ")} />)}
-            {glyphs[body.kind] && (
+            {glyphs[body.kind] && isFree && (
               <g
                 class="icon"
                 role="button"
@@ -57,7 +58,7 @@ export function LightBodies() {
                 <path d={glyphs[body.kind]} transform="translate(-8 -8)" />
               </g>
             )}
-            {isSelected && body.handles.map(({ kind, at: place }) => {
+            {isSelected && isFree && body.handles.map(({ kind, at: place }) => {
               const [p] = pointsOnStage([place]);
               // What a handle changes can be typed in the panel, by keyboard too.
               return (

@@ -1,6 +1,6 @@
 import { commandButton, commandItem, runCommand, type CommandId } from "../state/commands";
 import { attempt } from "../state/messages";
-import { isOwnView, viewState } from "../state/store";
+import { hidden, isOwnView, viewState } from "../state/store";
 import { texts } from "../texts";
 import { Button } from "../ui/Button";
 import { Menu } from "../ui/Menu";
@@ -22,15 +22,26 @@ export function CameraMenu() {
 
 /** Says that what is seen is not what files show, and what can be done about that. */
 export function OwnView() {
-  if (!isOwnView()) return null;
-  const button = (id: "home" | "setCamera", label: string) => (
+  const count = hidden.value?.length ?? 0;
+  if (!isOwnView() && count === 0) return null;
+  const button = (id: "home" | "setCamera" | "showAll", label: string) => (
     <Button label={label} tip={commandButton(id).tip} keys={commandButton(id).keys} showLabel kind="plain" onClick={() => runCommand(id)} />
   );
   return (
     <div class="chip own-view" role="group" aria-label={t.ownView} data-handle="own-view">
-      <span>{t.ownView}</span>
-      {button("home", t.lookThrough)}
-      {button("setCamera", t.setCamera)}
+      {isOwnView() && (
+        <>
+          <span>{t.ownView}</span>
+          {button("home", t.lookThrough)}
+          {button("setCamera", t.setCamera)}
+        </>
+      )}
+      {count > 0 && (
+        <>
+          <span>{t.hidden(count)}</span>
+          {button("showAll", texts.commands.showAll[0])}
+        </>
+      )}
     </div>
   );
 }

@@ -47,7 +47,7 @@ function ThingOutline({ pointer }: { pointer: string }) {
     return () => {
       if (step === 1) abort.abort();
     };
-  }, [pointer, documentState.value?.builtRevision, viewState.value?.pose, shownFrame.value, width, height, reach, step, step > 1 ? movingFrames.value : 0]);
+  }, [pointer, documentState.value?.builtRevision, viewState.value?.picture, shownFrame.value, width, height, reach, step, step > 1 ? movingFrames.value : 0]);
   return (
     <canvas
       ref={ref}

@@ -6,6 +6,7 @@ import { newGesture } from "../state/edits";
 import { tool } from "../state/store";
 import { endMove, move, moveInBurst } from "./camera";
 import { clickPixel, renderRegion } from "./clicks";
+import { openHere } from "./HereMenu";
 import type { MoveKind } from "./moves";
 import { hover } from "./reading";
 import { picture, pixelAt, placement, shiftBy, toPicture, zoomBy } from "./stage";
@@ -99,9 +100,10 @@ export function listenToPointers(stageElement: HTMLElement): () => void {
     const region = drawnRegion.value;
     drawnRegion.value = null;
     if (region) renderRegion(region.a, region.b);
-    else if (!moved && e.type === "pointerup" && e.button === 0) {
+    else if (!moved && e.type === "pointerup" && (e.button === 0 || e.button === 2)) {
       const pixel = pixelAt(local(e));
-      if (pixel) clickPixel(pixel, e.shiftKey);
+      if (pixel && e.button === 2) openHere({ x: e.clientX, y: e.clientY }, pixel);
+      else if (pixel) clickPixel(pixel, e.shiftKey);
     }
     end();
   };
