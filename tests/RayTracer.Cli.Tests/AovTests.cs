@@ -5,7 +5,7 @@ namespace RayTracer.Cli.Tests;
 
 public sealed class AovTests : IDisposable
 {
-    private const string All = "depth,normal,albedo,uv,primitive,bvhCost,samples,error";
+    private const string All = "depth,normal,albedo,uv,primitive,cryptoObject,cryptoMaterial,bvhCost,samples,error";
 
     private readonly TemporaryFolder _folder = new();
     private readonly string _scene;
@@ -37,6 +37,11 @@ public sealed class AovTests : IDisposable
             float[] pfm = ImageFile.Read(_folder[$"b.{name[0]}.pfm"]).Pixels;
             Assert.Equal(ExrReader.ReadChannel(exr, channel), pfm.Where((_, i) => i % 3 == component).Select(v => (double)v));
         }
+
+        // What the numbers of a Cryptomatte mean stands in the .exr file alone.
+        Assert.Contains(ExrReader.ReadText(exr), t => t.Key == "cryptomatte/3ae39a5/manifest");
+        Assert.DoesNotContain(ImageFile.ReadAll(_folder["a.png"]).Texts, t => t.Key.Contains("cryptomatte", StringComparison.Ordinal));
+        Assert.Contains(ExrReader.ReadChannel(exr, "CryptoMaterial00.G"), part => part > 0);
     }
 
     [Fact]
@@ -91,7 +96,7 @@ public sealed class AovTests : IDisposable
     }
 
     [Theory]
-    [InlineData("-o OUT --aov dept", "--aov dept: unknown image \"dept\" (did you mean \"depth\"?), expected some of depth, normal, albedo, uv, motion, primitive, bvhCost, samples, error")]
+    [InlineData("-o OUT --aov dept", "--aov dept: unknown image \"dept\" (did you mean \"depth\"?), expected some of depth, normal, albedo, uv, motion, primitive, cryptoObject, cryptoMaterial, bvhCost, samples, error")]
     [InlineData("-o OUT --aov motion", "--aov motion: nothing moves while the shutter is open for no time: give \"shutter\" under \"render\"")]
     [InlineData("-o OUT --aov depth,bvhcost", "unknown image \"bvhcost\" (did you mean \"bvhCost\"?)")]
     [InlineData("-o OUT --aov depth,", "unknown image \"\", expected some of")]

@@ -126,7 +126,7 @@ public class AovFilesTests
     public void Files_stand_beside_their_picture()
     {
         Assert.Equal(Path.Combine("a.b", "out.bvhCost.png"), AovFiles.Beside(Path.Combine("a.b", "out.png"), "bvhCost"));
-        string[] names = ["depth", "normal", "albedo", "uv", "motion", "primitive", "bvhCost", "samples", "error"];
+        string[] names = ["depth", "normal", "albedo", "uv", "motion", "primitive", "cryptoObject", "cryptoMaterial", "bvhCost", "samples", "error"];
         Assert.Equal(names, AuxiliaryImage.Known.All.Select(i => i.Name));
     }
 

@@ -16,7 +16,7 @@ public class CryptomatteLayersTests
             { "render": { "width": 16, "height": 16, "samplesPerPixel": 64 },
               "camera": { "position": [0, 0, 6], "lookAt": [0, 0, 0], "fieldOfView": 38, "lens": { "apertureRadius": 0.2, "focusDistance": 3 } },
               "materials": { "gold": { "type": "roughConductor", "metal": "gold" } },
-              "shapes": [ { "type": "sphere", "name": "the \"ball\"", "radius": 0.7, "material": "gold" },
+              "shapes": [ { "type": "sphere", "name": "the \"ball\"", "center": [0, 0, 0], "radius": 0.7, "material": "gold" },
                 { "type": "rectangle", "name": "bøard", "corner": [-3, -3, -1], "edgeU": [6, 0, 0], "edgeV": [0, 4, 0] }, {{crowd}} ] }
             """);
         AovFilm film = new(new(16, 16), [new CryptomatteImage(CryptomatteKind.Object), new CryptomatteImage(CryptomatteKind.Material), new DepthImage()]);
