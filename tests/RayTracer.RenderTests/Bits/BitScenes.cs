@@ -222,6 +222,7 @@ internal static class BitScenes
         : name == MeshLamps ? TestScenes.Build(Walls)
         : name == LampBehindPane ? TestScenes.Build(Pane)
         : name == StraightThrough ? TestScenes.Build(Panes)
+        : name == Phases ? TestScenes.Build(Haze)
         : name.StartsWith(Split, StringComparison.Ordinal)
             ? SceneRuns.Load(ProjectFolder.PathOf("scenes", name[Split.Length..] + ".json"), d => d with { Render = Small(d, 24, 24).Render with { SamplesPerPixel = 64 } })
         : SceneRuns.Load(ProjectFolder.PathOf("scenes", name + ".json"), name.StartsWith("report", StringComparison.Ordinal) ? d => Small(d, 64, 64) : d => Small(d, 32, 24));

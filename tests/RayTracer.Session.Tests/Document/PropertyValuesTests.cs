@@ -82,6 +82,7 @@ public sealed class PropertyValuesTests
         "choice" => JsonValue.Create(parameter.Choices[^1]),
         "vector2" => new JsonArray(0.25, 0.5),
         "vector3" or "color" => new JsonArray(0.25, 0.5, 0.75),
+        "texture" when parameter.Minimum > 0 => JsonValue.Create(Inside(parameter)),
         "texture" => JsonValue.Create("skyblue"),
         "material" => JsonNode.Parse("""{ "type": "diffuse" }""")!,
         "materials" => JsonNode.Parse("""[{ "type": "diffuse" }]""")!,

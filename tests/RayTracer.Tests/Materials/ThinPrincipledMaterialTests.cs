@@ -11,13 +11,23 @@ public class ThinPrincipledMaterialTests
     {
         ["paper"] = new()
         {
-            BaseColor = new SolidTexture(new(0.7f, 0.4f, 0.2f)), Roughness = Solid(0.8f), DiffuseTransmission = Solid(0.6f), Sheen = Solid(0.8f), SheenTint = Solid(0.4f), Flatness = Solid(0.5f),
+            BaseColor = new SolidTexture(new(0.7f, 0.4f, 0.2f)),
+            Roughness = Solid(0.8f),
+            DiffuseTransmission = Solid(0.6f),
+            Sheen = Solid(0.8f),
+            SheenTint = Solid(0.4f),
+            Flatness = Solid(0.5f),
             RefractiveIndex = Solid(1.5f),
         },
         ["pane"] = new() { BaseColor = new SolidTexture(new(0.7f, 0.4f, 0.9f)), Roughness = Solid(0.4f), Transmission = Solid(1), SpecularTint = Solid(0.4f), RefractiveIndex = Solid(1.4f) },
         ["curtain"] = new()
         {
-            BaseColor = new SolidTexture(new(0.9f, 0.7f, 0.5f)), Roughness = Solid(0.6f), Transmission = Solid(0.7f), Anisotropic = Solid(0.7f), DiffuseTransmission = Solid(0.4f), RefractiveIndex = Solid(1.7f),
+            BaseColor = new SolidTexture(new(0.9f, 0.7f, 0.5f)),
+            Roughness = Solid(0.6f),
+            Transmission = Solid(0.7f),
+            Anisotropic = Solid(0.7f),
+            DiffuseTransmission = Solid(0.4f),
+            RefractiveIndex = Solid(1.7f),
         },
     };
 

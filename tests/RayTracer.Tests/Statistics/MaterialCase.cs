@@ -125,7 +125,7 @@ internal sealed record MaterialCase(string Name, Material Material)
         Principled("cloudy glass", new() { BaseColor = Solid(0.4f), Roughness = Solid(0.7f), Transmission = Solid(0.5f), Metallic = Solid(0.2f), Clearcoat = Solid(0.5f), ClearcoatRoughness = Solid(1) }) with { Exponent = 10, Index = 1.5, MeanTolerance = MeanOfTwo, QuadraturePoints = 16 },
         Sheet("paper", new() { BaseColor = new UvTexture(), Roughness = Solid(0.8f), DiffuseTransmission = Solid(0.6f), Sheen = Solid(0.5f), SheenTint = Solid(0.4f), Flatness = Solid(0.3f), RefractiveIndex = Solid(1.5f) }),
         Sheet("frosted pane", new() { BaseColor = new UvTexture(), Roughness = Solid(0.7f), Transmission = Solid(1), Anisotropic = Solid(0.4f), SpecularTint = Solid(0.3f), RefractiveIndex = Solid(1.6f) }),
-        Sheet("curtain", new() { BaseColor = Solid(0.7f), Roughness = new UvTexture(), Transmission = Solid(0.4f), DiffuseTransmission = new UvTexture(), RefractiveIndex = Solid(1.3f) }),
+        Sheet("curtain", new() { BaseColor = Solid(0.7f), Roughness = Solid(0.9f), Transmission = Solid(0.4f), DiffuseTransmission = new UvTexture(), RefractiveIndex = Solid(1.3f) }),
         new("boundary of a cloud", new InvisibleMaterial(null)) { Albedo = Rgb.White },
         new("metal lamp", new LuminaireMaterial(new SolidTexture(Rgb.White), 2, 1, Metal(20).Material)) { Exponent = 20 },
     ];
