@@ -63,6 +63,7 @@ public sealed class PathEquationTests
         string text = await File.ReadAllTextAsync(ProjectFolder.PathOf("scenes", path));
         await test.Open(JsonText.Of(text).Set("/render/integrator", integrator).Set("/render/width", Size).Set("/render/height", Size).Set("/render/samplesPerPixel", 2).Text, Path.GetDirectoryName(ProjectFolder.PathOf("scenes", path)));
         HashSet<string> events = [];
+        await test.FilmHash();
         PathInspector inspector = test.Session.Part<PathInspector>();
         foreach ((int x, int y) in Pixels())
         {
