@@ -14,7 +14,7 @@ public class RefusalTests
     [InlineData("""{ "render": { "hideLights": true } }""", "no \"hideLights\" of a render", 1, 29)]
     [InlineData("""{ "camera": { "projection": "spherical" } }""", "no spherical cameras", 1, 29)]
     [InlineData("""{ "environment": { "type": "sky" } }""", "no environment of type \"sky\"", 1, 18)]
-    [InlineData("""{ "environment": { "type": "image", "file": "a.exr", "mapping": "octahedral" } }""", "no octahedral pictures", 1, 63)]
+    [InlineData("""{ "environment": { "type": "image", "file": "a.exr", "mapping": "octahedral" } }""", "no octahedral pictures", 1, 65)]
     [InlineData("""{ "lights": [ { "type": "point", "picture": [1, 1, 1] } ] }""", "no \"picture\" of a point", 1, 45)]
     [InlineData("""{ "shapes": [ { "type": "sphere", "center": [0, 0, 0], "motion": [ { "time": 0 }, { "time": 1, "transform": [ { "translate": [1, 0, 0] } ] } ] } ] }""", "no \"motion\"", 1, 66)]
     public void What_is_lacking_is_refused_at_its_place(string text, string message, int line, int column)

@@ -26,13 +26,10 @@ public sealed class Renderer(Scene scene, IIntegrator integrator, int width, int
         Rgb[] pixels = new Rgb[width * height];
         ParallelOptions options = new() { MaxDegreeOfParallelism = threads, CancellationToken = cancellation };
         Parallel.For(0, height, options, () => newSampler(0), (y, _, sampler) => Row(pixels, y, sample, sampler), _ => { });
-        Parallel.For(0, height, options, () => new List<(int Pixel, Rgb Light)>(), (y, _, splats) =>
+        Parallel.For(0, height, options, y =>
         {
+            List<(int Pixel, Rgb Light)> splats = [];
             TraceLight(scene, y, sample, (column, row, light) => splats.Add(((row * width) + column, light)));
-            return splats;
-        },
-        splats =>
-        {
             lock (pixels)
             {
                 splats.ForEach(s => pixels[s.Pixel] += s.Light);
