@@ -11,7 +11,7 @@ public class CryptomatteLayersTests
     // A ball before a board, both out of focus, so that many pixels show both; ten more things behind a corner.
     private static readonly Lazy<(AovFilm Film, byte[] File)> s_made = new(() =>
     {
-        string crowd = string.Join(", ", Enumerable.Range(0, 10).Select(i => FormattableString.Invariant($$"""{ "type": "sphere", "name": "dot {{i}}", "center": [{{-1.3 + (0.04 * i)}}, 1.3, 1], "radius": 0.04 }""")));
+        string crowd = string.Join(", ", Enumerable.Range(0, 10).Select(i => FormattableString.Invariant($$"""{ "type": "sphere", "name": "dot {{i}}", "center": [{{-1.3 + (0.05 * i)}}, 1.4, 1], "radius": 0.06 }""")));
         Scene scene = TestScenes.Build($$"""
             { "render": { "width": 16, "height": 16, "samplesPerPixel": 64 },
               "camera": { "position": [0, 0, 6], "lookAt": [0, 0, 0], "fieldOfView": 38, "lens": { "apertureRadius": 0.2, "focusDistance": 3 } },
