@@ -1,7 +1,6 @@
 using System.Numerics;
 using RayTracer.Lights;
 using RayTracer.Materials;
-using RayTracer.Media;
 using RayTracer.Numerics;
 using RayTracer.Sampling;
 using RayTracer.Shapes;
