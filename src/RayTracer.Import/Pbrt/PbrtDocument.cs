@@ -137,7 +137,7 @@ internal sealed class PbrtDocument
     private void Active(PbrtToken token, PbrtArguments arguments)
     {
         string which = arguments.Text.Next()?.Text ?? "";
-        if (Array.Find(Enum.GetValues<PbrtTimes>(), t => t.ToString() == which) is var times && times != 0)
+        if (Array.Find(Enum.GetValues<PbrtTimes>(), t => t.ToString() == which) is var times && times != default)
         {
             _scope.Activate(times);
         }

@@ -116,7 +116,7 @@ internal sealed class MaterialReader(Refusals refusals, Func<string, bool, Pictu
     {
         null => scene.Background.IsBlack ? null : new EvenEnvironment(scene.Background),
         ConstantEnvironmentDescription c => new EvenEnvironment(c.Radiance),
-        ImageEnvironmentDescription { Mapping: not 0 } i => (IEnvironment?)refusals.Say(i, nameof(i.Mapping), "the textbook edition has no octahedral pictures: it has those by latitude and longitude"),
+        ImageEnvironmentDescription { Mapping: Lights.DirectionMapping.Octahedral } i => (IEnvironment?)refusals.Say(i, nameof(i.Mapping), "the textbook edition has no octahedral pictures: it has those by latitude and longitude"),
         ImageEnvironmentDescription i => new ImageEnvironment(i.Picture ?? Picture(i, nameof(i.File), i.File, i.Raw), i.Scale, ShapeReader.Place(i.Transform)),
         _ => (IEnvironment?)refusals.Type(scene.Environment, "environment", "constant and image"),
     };

@@ -44,7 +44,8 @@ internal sealed unsafe class CoatBounces
                 double all = outside[i].Transmitted.Zip(left, (into, comes) => into * comes).Sum();
                 double once = Lobe(i, seen[i], kept, channel, _ => 1);
                 _metal.Evaluate(Bent(Node(i)), out RgbW color);
-                double mirrored = Channel(color, channel) * (1 - Into(Node(i))) * double.Pow(Kept(Bent(Node(i)), channel), 2);
+                double keptOnce = Kept(Bent(Node(i)), channel);
+                double mirrored = Channel(color, channel) * (1 - Into(Node(i))) * keptOnce * keptOnce;
                 _table[(6 * i) + channel] = (float)(1 - (all > 0 && !isMirror ? double.Max(1 - mirrored, once / all) : 1 - mirrored));
                 _table[(6 * i) + 3 + channel] = (float)all;
             }
