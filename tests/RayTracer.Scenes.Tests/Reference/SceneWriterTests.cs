@@ -89,7 +89,7 @@ public class SceneWriterTests
                 "vector2" => new Vector2(0.3f, 0.4f),
                 "vector3" => new Vector3(0.3f, 0.4f, 0.5f),
                 "color" => new Rgb(0.3f, 0.4f, 0.5f),
-                "texture" when parameter.Minimum > 0 => new SolidTextureDescription { Color = new((float)parameter.Minimum) },
+                "texture" when parameter.Minimum > 0 => new SolidTextureDescription { Color = new((float)parameter.Minimum, (float)parameter.Minimum, (float)parameter.Minimum) },
                 "texture" => new SolidTextureDescription { Color = new(0.3f, 0.4f, 0.6f) },
                 "material" => new DielectricMaterialDescription { RefractiveIndex = 2 },
                 "materials" => new MaterialDescription[] { new DielectricMaterialDescription { RefractiveIndex = 3 }, new DiffuseMaterialDescription() },
