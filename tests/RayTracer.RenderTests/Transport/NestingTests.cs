@@ -72,8 +72,8 @@ public class NestingTests
     [Fact]
     public void Glass_with_a_priority_is_seen_in_fog()
     {
-        // With path, fog is nothing at all; only that its boundaries count as edges.
-        const string fog = """{ "type": "sphere", "center": [0, 0, 0], "radius": 3, "material": { "type": "invisible", "interior": { "extinction": [0.1, 0.1, 0.1] } } },""";
+        // Fog as thin as this is nothing; only that its boundaries count as edges.
+        const string fog = """{ "type": "sphere", "center": [0, 0, 0], "radius": 3, "material": { "type": "invisible", "interior": { "extinction": [1e-6, 1e-6, 1e-6] } } },""";
         string scene = $$"""
             { "camera": { "position": [0, 2, 7], "lookAt": [0, 0, 0], "fieldOfView": 30 },
               "render": { "width": 16, "height": 12, "samplesPerPixel": 64, "integrator": "path", "maxDepth": -1 },

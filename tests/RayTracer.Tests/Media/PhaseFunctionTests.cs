@@ -8,6 +8,7 @@ using RayTracer.Textures;
 namespace RayTracer.Tests.Media;
 
 /// <summary>Over which directions media spread what they scatter.</summary>
+[Trait("Category", "Thorough")]
 public class PhaseFunctionTests
 {
     private const int Steps = 1 << 15;
