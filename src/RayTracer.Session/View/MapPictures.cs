@@ -16,7 +16,7 @@ public sealed class MapPictures
 
     /// <summary>Returns whether rays must be traced before a map can be shown as well as it will be.</summary>
     public bool Needs(ViewportScene wanted) =>
-        wanted.Settings.Map.Image is FirstHitImage && (_of != (wanted.Picture, wanted.Settings.Map) || _samples < Goal(wanted));
+        wanted.Settings.Map.Image is not (null or FilmImage) && (_of != (wanted.Picture, wanted.Settings.Map) || _samples < Goal(wanted));
 
     /// <summary>Traces some of these rays.</summary>
     /// <param name="wanted">The scene to show.</param>
