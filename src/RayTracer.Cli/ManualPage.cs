@@ -17,7 +17,7 @@ internal static class ManualPage
     public static string Write(IReadOnlyList<VerbHelp> verbs)
     {
         StringBuilder page = new();
-        page.Append(CultureInfo.InvariantCulture, $".TH RAYTRACER 1 \"\" \"{CommandLine.Version}\" \"User Commands\"\n");
+        page.Append(CultureInfo.InvariantCulture, $".TH RAYTRACER 1 \"\" \"{CommandLine.Version}\" \"User Commands\"\n.ad l\n");
         page.Append(".SH NAME\nraytracer \\- a Monte Carlo ray tracer\n.SH SYNOPSIS\n");
         foreach (VerbHelp verb in verbs)
         {
@@ -48,10 +48,12 @@ internal static class ManualPage
         }
 
         page.Append(CultureInfo.InvariantCulture, $".TP\nExample\n.B {Text(verb.Example)}\n");
+
+        // Lists of words may be longer than a line: it may end after each comma.
         foreach (OptionHelp option in verb.Options)
         {
             string names = string.Join(", ", option.Names.Select(n => $"\\fB{Text(n)}\\fR"));
-            page.Append(CultureInfo.InvariantCulture, $".TP\n{names}{(option.Form is { } form ? $" \\fI{Text(form)}\\fR" : "")}\n{Text(option.Summary)}\n");
+            page.Append(CultureInfo.InvariantCulture, $".TP\n{names}{(option.Form is { } form ? $" \\fI{Text(form).Replace(",", ",\\:", StringComparison.Ordinal)}\\fR" : "")}\n{Text(option.Summary)}\n");
         }
     }
 

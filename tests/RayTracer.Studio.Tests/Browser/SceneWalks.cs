@@ -180,6 +180,7 @@ public class SceneWalks(ChromiumBrowser browser)
 
         // Hidden and locked, by keys.
         await Row("chrome ball").ClickAsync();
+        await Expect(Row("chrome ball")).ToHaveAttributeAsync("aria-selected", "true");
         await w.Page.Keyboard.PressAsync("l");
         await w.Page.Keyboard.PressAsync("h");
         await Expect(w.Page.GetByText("Hidden: 1")).ToBeVisibleAsync();
