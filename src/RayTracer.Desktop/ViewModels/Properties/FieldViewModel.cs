@@ -73,7 +73,9 @@ internal abstract class FieldViewModel(PanelContext context, CatalogueParameter 
         "vector2" or "vector3" => new VectorFieldViewModel(context, p, pointer),
         "color" => new ColorFieldViewModel(context, p, pointer),
         "texture" or "material" => new KindFieldViewModel(context, p, pointer),
-        "record" when SectionOf(p) is { } type => new RecordFieldViewModel(context, p, pointer, type),
+
+        // What may hold others of its own kind without end, as a mix of phase functions, is edited in the source.
+        "record" when SectionOf(p) is { } type && !type.Parameters.Any(inner => inner.Record == type.Name) => new RecordFieldViewModel(context, p, pointer, type),
         "records" when SectionOf(p) is { } type => new StepsFieldViewModel(context, p, pointer, type),
         _ => new SourceFieldViewModel(context, p, pointer),
     };
