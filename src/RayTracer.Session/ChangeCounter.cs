@@ -1,7 +1,7 @@
 namespace RayTracer.Session;
 
 /// <summary>
-/// Counts changes, and lets others wait for the next one without asking again and again. Whoever waits never holds up whoever changes.
+/// Counts changes, and lets others wait for the next one without asking again and again. Waiting never holds up a change.
 /// </summary>
 public sealed class ChangeCounter
 {

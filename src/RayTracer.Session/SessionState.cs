@@ -10,7 +10,7 @@ namespace RayTracer.Session;
 /// <param name="Render">The progress of the picture.</param>
 /// <param name="Settings">The user's settings of the picture.</param>
 /// <param name="Tone">The exposure and tone map of the screen.</param>
-/// <param name="Stops">By how many stops the screen is brighter than the light, whoever decides on it.</param>
+/// <param name="Stops">By how many stops the screen is brighter than the light, by the user or the picture.</param>
 /// <param name="View">Through which camera the picture is seen.</param>
 /// <param name="Snapshots">Earlier pictures, the oldest first.</param>
 /// <param name="Recovery">Texts that were not saved.</param>

@@ -13,7 +13,7 @@ public sealed class StudioSession : IDisposable
     private readonly ConcurrentDictionary<Type, object> _parts = new();
 
     /// <summary>Starts a session with a new scene.</summary>
-    /// <param name="folders">The user's folders; null for those of whoever runs the program.</param>
+    /// <param name="folders">The user's folders; null for those of the process's user.</param>
     /// <param name="scenes">The folder of the shipped scenes; null for the one that comes with the program.</param>
     /// <param name="time">The clock; null for the system's.</param>
     public StudioSession(UserFolders? folders = null, string? scenes = null, TimeProvider? time = null)

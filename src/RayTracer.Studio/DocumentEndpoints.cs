@@ -57,6 +57,9 @@ internal static class DocumentEndpoints
             {
                 session.Selection.SelectAll(request.Pointers ?? (request.Pointer is null ? [] : [request.Pointer]));
             }
+
+            // The state that has it.
+            return Results.Json(new { version = session.Changes.Version });
         });
     }
 

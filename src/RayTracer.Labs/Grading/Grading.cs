@@ -45,7 +45,7 @@ internal sealed class Grading
 
     /// <summary>Grades.</summary>
     /// <param name="folder">The folder.</param>
-    /// <param name="done">Is told each mark.</param>
+    /// <param name="done">Receives each mark.</param>
     /// <param name="cancellation">Ends it before the next hand-in.</param>
     /// <exception cref="LabException">There is nothing in it.</exception>
     public IReadOnlyList<Mark> Run(string folder, Action<Mark> done, CancellationToken cancellation)

@@ -4,7 +4,7 @@ namespace RayTracer.Session;
 public sealed class DocumentSession : IDisposable
 {
     /// <summary>Begins with a new scene.</summary>
-    /// <param name="folders">The user's folders; null for those of whoever runs the program.</param>
+    /// <param name="folders">The user's folders; null for those of the process's user.</param>
     /// <param name="scenes">The folder of the shipped scenes; null for the one that comes with the program.</param>
     /// <param name="time">The clock.</param>
     public DocumentSession(UserFolders? folders = null, string? scenes = null, TimeProvider? time = null)

@@ -14,7 +14,7 @@ internal sealed record IdleRule(string Record, IReadOnlyList<string> Parameters,
 /// <summary>The parameters that have no effect on the picture, as the scene is.</summary>
 internal static class IdleFields
 {
-    /// <summary>All rules; of those that hold, the first one's reason is told.</summary>
+    /// <summary>All rules; of those that hold, the first one gives the reason.</summary>
     public static IReadOnlyList<IdleRule> Rules { get; } =
     [
         Integrators(IntegratorTraits.PathLimit, "maxDepth", "rouletteDepth"),
@@ -46,6 +46,7 @@ internal static class IdleFields
         new("marble", ["octaves", "seed"], v => v.Number("turbulence") == 0, Text("noTurbulence")),
         new("wood", ["scale", "seed"], v => v.Number("turbulence") == 0, Text("noTurbulence")),
         new("spot", ["pictureUp"], v => v.Child("picture")!.Node is null, Text("noPicture")),
+        new("point", ["mapping"], v => v.Child("picture")!.Node is null, Text("noPicture")),
     ];
 
     /// <summary>The parameters of a scene that have no effect, by their pointers, with the reasons.</summary>

@@ -154,8 +154,8 @@ public sealed class SceneEdits(SceneDocument document, Selection selection, Noti
 
     private static JsonText Applied(JsonText text, string what, string thing, (Vector3 Point, Vector3 Up) on) => JsonPointer.Parse(what) switch
     {
-        ["materials", var name] => Application.Material(text, thing, name),
-        ["textures", var name] => Application.Texture(text, thing, name),
+        ["materials", var name] => Assignment.Material(text, thing, name),
+        ["textures", var name] => Assignment.Texture(text, thing, name),
         _ when IsLight(what) => LightDrags.ShineOn(text, what, on),
         _ => throw new SessionException("Only materials, textures and lights can be applied to things."),
     };

@@ -33,7 +33,7 @@ public sealed class UserFolders(string state, string cache, string home)
     /// <summary>Files that were dropped onto a window.</summary>
     public string Uploads => Make(Path.Combine(cache, "uploads"));
 
-    /// <summary>The folders of whoever runs the program: of the XDG base directories, or where the system keeps such things.</summary>
+    /// <summary>The folders of the user who runs the program: of the XDG base directories, or where the system keeps such things.</summary>
     public static UserFolders OfUser()
     {
         string home = Environment.GetFolderPath(Environment.SpecialFolder.UserProfile);

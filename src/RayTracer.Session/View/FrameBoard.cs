@@ -8,7 +8,7 @@ namespace RayTracer.Session;
 /// </summary>
 public sealed class FrameBoard
 {
-    // Between two frames, whoever looks is busy with the first.
+    // Between two frames, the page is busy with the first.
     private static readonly TimeSpan Attention = TimeSpan.FromSeconds(1);
     private readonly Lock _lock = new();
     private readonly Stack<LinearPicture> _free = new();

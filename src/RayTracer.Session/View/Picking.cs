@@ -18,7 +18,7 @@ public static class Picking
             ? new(shown.PointerOf(hit.Name), hit.Distance, hit.Position, hit.Normal, shown.MaterialOf(hit.Name))
             : new(null, null, null, null, null);
 
-    /// <summary>The same for whoever chooses things: one that is locked is none.</summary>
+    /// <summary>The same for choosing things: one that is locked is none.</summary>
     /// <param name="document">The document that is shown.</param>
     /// <param name="shown">The scene.</param>
     /// <param name="x">The pixel's column.</param>

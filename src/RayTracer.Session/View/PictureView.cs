@@ -65,7 +65,7 @@ public sealed class PictureView : IDisposable
     /// <summary>The exposure and tone map that the user chose; null for the scene's.</summary>
     public Tone? GivenTone => _lock.Read(() => _tone);
 
-    /// <summary>By how many stops the screen is brighter than the light, whoever decides on it.</summary>
+    /// <summary>By how many stops the screen is brighter than the light, by the user or the picture.</summary>
     public float Stops
     {
         get
@@ -284,7 +284,7 @@ public sealed class PictureView : IDisposable
             }
             else
             {
-                // Of another document nothing is shown any more, and whoever has stopped one picture wants to see the next one.
+                // Of another document nothing is shown any more, and a user who has stopped one picture wants to see the next one.
                 _settings = _settings.Mode == RenderMode.Stopped && _shown is not null ? _settings with { Mode = RenderMode.Running } : _settings;
                 _shown = null;
                 Loop.Show(null);
@@ -309,7 +309,7 @@ public sealed class PictureView : IDisposable
 
         if (restart || _shown is null || !IsSamePicture(_shown, shown))
         {
-            // Whoever has stopped one picture wants to see the next one.
+            // A user who has stopped one picture wants to see the next one.
             _settings = _settings.Mode == RenderMode.Stopped && !restart && _shown is not null ? _settings with { Mode = RenderMode.Running } : _settings;
             _pictures++;
         }

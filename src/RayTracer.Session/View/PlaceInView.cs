@@ -64,7 +64,7 @@ internal sealed record PlaceInView(SketchView View, Vector3 Point, Vector3? Grou
 
         if (!box.IsFinite)
         {
-            // A plane without end, in that of the surface, could not be told from it.
+            // A plane without end, in that of the surface, could not be distinguished from it.
             return ShapePlacement.Translate(text, pointer, up * (Lift * View.Size));
         }
 

@@ -18,7 +18,7 @@ internal sealed class ErrorAnswers(TextWriter errors)
         }
         catch (OperationCanceledException) when (context.RequestAborted.IsCancellationRequested)
         {
-            // Whoever asked has gone.
+            // The client has gone.
         }
         catch (Exception e)
         {

@@ -9,7 +9,7 @@ internal sealed class LongPoll(WindowWatch windows, TimeSpan patience, Cancellat
     /// <summary>Waits for news.</summary>
     /// <param name="wait">Waits until there are more changes than a number.</param>
     /// <param name="after">The version that the page knows already.</param>
-    /// <param name="aborted">Whoever asks has gone.</param>
+    /// <param name="aborted">Signalled when the client has gone.</param>
     /// <returns>True if there is any.</returns>
     public async Task<bool> Wait(Func<long, CancellationToken, Task<bool>> wait, long after, CancellationToken aborted)
     {

@@ -28,7 +28,7 @@ public enum ToneMap
 /// <summary>Who decides on the exposure of a picture.</summary>
 public enum ExposureRule
 {
-    /// <summary>Whoever names the stops.</summary>
+    /// <summary>The user, who names the stops.</summary>
     Stops,
 
     /// <summary>The picture, if it would be a white sheet: it is darkened until three quarters of what is lit are no brighter than a display.</summary>

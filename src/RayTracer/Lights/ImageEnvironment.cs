@@ -281,13 +281,11 @@ internal sealed unsafe class ImageEnvironment : EnvironmentLight
 
         public readonly void Luminances(float unit, out Luminances luminances)
         {
-            luminances.UpperLeft = Of(UpperLeft, unit);
-            luminances.UpperRight = Of(UpperRight, unit);
-            luminances.LowerLeft = Of(LowerLeft, unit);
-            luminances.LowerRight = Of(LowerRight, unit);
+            luminances.UpperLeft = UpperLeft.Luminance * unit;
+            luminances.UpperRight = UpperRight.Luminance * unit;
+            luminances.LowerLeft = LowerLeft.Luminance * unit;
+            luminances.LowerRight = LowerRight.Luminance * unit;
         }
-
-        private static FloatW Of(in RgbW c, float unit) => FloatW.MultiplyAdd(c.B, 0.0722f, FloatW.MultiplyAdd(c.G, 0.7152f, c.R * 0.2126f)) * unit;
     }
 
     private struct Luminances

@@ -21,6 +21,13 @@ public readonly struct RgbW
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static implicit operator RgbW(Rgb c) => new(c.R, c.G, c.B);
 
+    /// <summary>Relative luminances, with the bits of <see cref="Rgb.Luminance"/>.</summary>
+    public FloatW Luminance
+    {
+        [MethodImpl(MethodImplOptions.AggressiveInlining)]
+        get => FloatW.MultiplyAdd(B, 0.0722f, FloatW.MultiplyAdd(G, 0.7152f, R * 0.2126f));
+    }
+
     /// <summary>Lane by lane.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static RgbW operator +(RgbW a, RgbW b) => new(a.R + b.R, a.G + b.G, a.B + b.B);

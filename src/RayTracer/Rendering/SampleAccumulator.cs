@@ -70,7 +70,7 @@ internal sealed unsafe class SampleAccumulator(int maxPixels)
         long* blue = green + FloatW.Count;
         long* square = blue + FloatW.Count;
         uint* pixel = _pixels.Pointer;
-        FloatW luminance = FloatW.MultiplyAdd(0.0722f, radiance.B, FloatW.MultiplyAdd(0.7152f, radiance.G, radiance.R * 0.2126f));
+        FloatW luminance = radiance.Luminance;
         ToChannelUnits(radiance.R, red);
         ToChannelUnits(radiance.G, green);
         ToChannelUnits(radiance.B, blue);

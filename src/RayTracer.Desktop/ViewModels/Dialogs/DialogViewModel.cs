@@ -15,7 +15,7 @@ internal abstract class DialogViewModel : Observable
     /// <summary>Leaves all as it is.</summary>
     public ICommand Cancel => field ??= new RelayCommand(() => Close());
 
-    /// <summary>Takes it away; set by whoever shows it.</summary>
+    /// <summary>Takes it away; set by the window that shows it.</summary>
     public Action Close { get; set; } = () => { };
 
     /// <summary>A button that does something and closes the dialog.</summary>

@@ -9,7 +9,7 @@ namespace RayTracer.Session;
 /// <param name="reading">Its scene in the textbook edition.</param>
 public sealed class TreeWalks(PictureView view, TextbookReading reading) : ISessionPart<TreeWalks>
 {
-    // More would take long to build, and could not be told from each other.
+    // More would take long to build, and could not be distinguished.
     private const int MostShapes = 20_000;
 
     // Nobody steps further; a loop has as many steps as there are shapes.

@@ -100,7 +100,7 @@ internal static unsafe class EdgeFilter
         public Pixels(MovingPlanes light, MovingGuides guides, int at)
         {
             (Light, Variance) = (light[at], FloatW.Load(light.Variance + at));
-            Luminance = (Light.R * 0.2126f) + (Light.G * 0.7152f) + (Light.B * 0.0722f);
+            Luminance = Light.Luminance;
             (Normal, Depth, Thing) = (guides.Seen.Normal(at), FloatW.Load(guides.Depth + at), UIntW.Load(guides.Things + at));
         }
     }

@@ -60,7 +60,7 @@ internal sealed unsafe class MovingHistory
                     MaskW active = MaskW.First(right - x);
                     Find(before, where, x, y, active, out Gathered old);
                     old.Store(_gathered, _rows, _rows.At(x, y), active);
-                    statistics.Add(Luminance(light[_rows.At(x, y)]), old, active);
+                    statistics.Add(light[_rows.At(x, y)].Luminance, old, active);
                 }
             }
 
@@ -79,7 +79,7 @@ internal sealed unsafe class MovingHistory
     {
         Gathered old = new(_gathered, _rows, new((uint)at));
         RgbW color = light[at];
-        FloatW luminance = Luminance(color);
+        FloatW luminance = color.Luminance;
         FloatW length = FloatW.Min(old.Length, most) + 1f;
         FloatW share = 1f / length;
         Gathered mixed = new()
@@ -147,8 +147,6 @@ internal sealed unsafe class MovingHistory
         FloatW off = FloatW.Abs(Vec3W.Dot(place.Point, normal) - at.Of(_offsets.Pointer));
         return same & (UIntW.Equal(place.Thing, 0u) | ((Vec3W.Dot(place.Normal, normal) > LeastCosine) & (off < place.Near)));
     }
-
-    private static FloatW Luminance(in RgbW c) => (c.R * 0.2126f) + (c.G * 0.7152f) + (c.B * 0.0722f);
 
     // Pieces of surfaces.
     private readonly record struct Place(UIntW Thing, Vec3W Normal, Vec3W Point, FloatW Near);

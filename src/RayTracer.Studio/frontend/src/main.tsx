@@ -27,7 +27,7 @@ addEventListener("beforeunload", (e) => {
   if (documentState.value?.isDirty || jobs.value?.length) e.preventDefault();
 });
 
-// Whoever sees the Studio for the first time is shown around, as soon as there is something to see.
+// New users are shown around, as soon as there is something to see.
 const stopWaiting = effect(() => {
   if (!documentState.value || isFresh.value) return;
   if (!tourSeen.peek()) tourStep.value = 0;

@@ -18,7 +18,7 @@ public enum CryptomatteKind
 /// Psyop's Cryptomatte specification 1.2): compositing programs make masks of it. All things of a pixel are counted, so that threads and order cannot change a bit; files
 /// hold those that cover most.
 /// </summary>
-/// <param name="Kind">The things that are told apart.</param>
+/// <param name="Kind">The things that are distinguished.</param>
 public sealed record CryptomatteImage(CryptomatteKind Kind) : AuxiliaryImage
 {
     /// <summary>The things of a pixel that files hold.</summary>

@@ -45,7 +45,7 @@ internal sealed class MatteNames
     }
 
     /// <summary>The number of what a ray meets.</summary>
-    /// <param name="kind">What is told apart.</param>
+    /// <param name="kind">What is distinguished.</param>
     /// <param name="primitive">The primitive.</param>
     /// <param name="instance">The instance that shows it; 0 for the world itself.</param>
     public uint Of(CryptomatteKind kind, int primitive, int instance)

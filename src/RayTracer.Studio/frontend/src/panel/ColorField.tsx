@@ -21,7 +21,7 @@ export function ColorField({ parameter, pointer, value, effective, label, id }: 
   const linear: Vec3 = asColor(effective, names) ?? [0.5, 0.5, 0.5];
   const written = typeof value === "string" ? value : "";
 
-  // Whoever wrote numbers keeps numbers; else the picker's own notation is the shortest.
+  // Numbers stay numbers; else the picker's own notation is the shortest.
   const pick = (hex: string) => setValue(pointer, (Array.isArray(value) ? fromHex(hex) : hex) as Json, gesture.current || newGesture());
   const name = (text: string) => {
     const tidy = text.trim().toLowerCase();

@@ -4,7 +4,7 @@ import { post } from "../api/client";
 import { Latest } from "../api/latest";
 import type { Json, Vec3 } from "../api/types";
 import { attempt, complain } from "./messages";
-import { dialog, hidden, locked, selected, selection } from "./store";
+import { dialog, hidden, known, locked, selected, selection } from "./store";
 
 const page = Math.random().toString(36).slice(2, 8);
 let gestures = 0;
@@ -30,24 +30,43 @@ export function setValue(pointer: string, value: Json, gesture = newGesture()): 
 /** Takes a value out of the text, so that its default counts again. */
 export const resetValue = (pointer: string) => attempt(() => post("document/set", { pointer, value: null, reset: true }));
 
+interface Choice {
+  pointer?: string | null;
+  pointers?: string[];
+  adds?: boolean;
+}
+
+// What was chosen last may still be on its way to the server, and its state on the way back.
+let choosing: Promise<void> = Promise.resolve();
+
+/** Selects what a search finds; null for what leaves the selection as it is. What is done to the selection from here on waits for it. */
+export async function choose(find: () => Promise<Choice | null>): Promise<void> {
+  const search = async () => {
+    const choice = await find();
+    if (choice) await known((await post<{ version: number }>("select", choice)).version);
+  };
+  const mine = search();
+  choosing = mine.catch(() => undefined);
+  return mine;
+}
+
 /** Selects a thing; `adds` where it shall be selected beside others, or no longer. */
-export const select = (pointer: string | null, adds = false) => attempt(() => post("select", { pointer, adds }));
+export const select = (pointer: string | null, adds = false) => attempt(() => choose(async () => ({ pointer, adds })));
 
 /** A pixel of the picture. */
 export type Pixel = [number, number];
 
 /** Adds a thing where one looks, or at a pixel. */
 export const addThing = (family: string, type: string, file?: string, at?: Pixel) =>
-  attempt(async () => {
-    const added = await post<{ pointer: string }>("document/add", { family, type, file, at });
-    await post("select", { pointer: isThing(added.pointer) ? added.pointer : null });
-  });
+  attempt(() =>
+    choose(async () => {
+      const added = await post<{ pointer: string }>("document/add", { family, type, file, at });
+      return { pointer: isThing(added.pointer) ? added.pointer : null };
+    }),
+  );
 
 export const duplicate = (pointers: string[]) =>
-  attempt(async () => {
-    const copies = await post<{ pointers: string[] }>("document/duplicate", { pointers });
-    await post("select", { pointers: copies.pointers });
-  });
+  attempt(() => choose(async () => ({ pointers: (await post<{ pointers: string[] }>("document/duplicate", { pointers })).pointers })));
 
 export const remove = (pointers: string[]) => attempt(() => post("document/delete", { pointers }));
 
@@ -58,10 +77,11 @@ export const isGiven = (pointer: string | null): pointer is string => pointer !=
 export const applyTo = (pointer: string, to: { things: string[] } | { at: Pixel }) => attempt(() => post("document/apply", { pointer, ...to }));
 
 /** Gives what was selected last to the other selected things. */
-export function applyToSelected(): void {
-  const what = selection.value;
-  if (isGiven(what)) applyTo(what, { things: (selected.value ?? []).filter((p) => p !== what && /^\/(shapes|materials)\//.test(p)) });
-}
+export const applyToSelected = () =>
+  withSelection((pointers) => {
+    const what = selection.value;
+    if (isGiven(what)) applyTo(what, { things: pointers.filter((p) => p !== what && /^\/(shapes|materials)\//.test(p)) });
+  });
 
 const isMarked = (marked: readonly string[] | null, pointer: string) => marked?.includes(pointer) ?? false;
 const marking = (path: string, marked: () => readonly string[] | null) => (pointers: string[]) => {
@@ -94,12 +114,11 @@ export const isThing = (pointer: string | null): pointer is string =>
 /** What may be seen in the picture, moved and turned there. */
 export const isSeen = (pointer: string | null): pointer is string => pointer !== null && /^\/(shapes|lights)\/./.test(pointer);
 
-/** Runs a command on the selected things, if there are some that it can be run on. */
-export function withSelection(work: (pointers: string[]) => void): void {
+/** Runs a command on the selected things, if there are some that it can be run on, once it is known which they are. */
+export async function withSelection(work: (pointers: string[]) => void): Promise<void> {
+  await choosing;
   const pointers = (selected.value ?? []).filter(isThing);
   if (pointers.length > 0) work(pointers);
 }
 
-export function askForName(): void {
-  if (isThing(selection.value)) dialog.value = "rename";
-}
+export const askForName = () => withSelection(() => isThing(selection.value) && (dialog.value = "rename"));

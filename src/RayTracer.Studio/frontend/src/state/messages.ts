@@ -38,7 +38,7 @@ export function attempt(work: () => Promise<unknown>): void {
   work().catch(complain);
 }
 
-/** Faults of this page go to the server's log, where whoever reports them can find them. */
+/** Faults of this page go to the server's log, where they are found for a report. */
 export function reportFaults(): void {
   const report = (text: string) => {
     say("error", texts.messages.pageError(text.split("\n")[0] ?? ""));

@@ -1,6 +1,6 @@
 /** What all parts of the window look at. The server's state is taken as it comes; only what no server needs to know is kept here. */
 
-import { computed, signal } from "@preact/signals";
+import { computed, effect, signal } from "@preact/signals";
 import type { Unsent } from "../editor/unsent";
 import type { ComparisonMap, Outline, TypeCatalogue, StudioState } from "../api/types";
 
@@ -9,7 +9,15 @@ export const connection = signal<"waiting" | "open" | "lost" | "refused">("waiti
 export const schema = signal<TypeCatalogue | null>(null);
 export const outline = signal<Outline | null>(null);
 
-// Slices: whoever looks at one is drawn again only if that one changes.
+/** Ends when the page has the server's state of a version or a later one, or the server is gone. */
+export const known = (version: number) =>
+  new Promise<void>((done) => {
+    const stop = effect(() => {
+      if (connection.value !== "open" || (studio.value?.version ?? -1) >= version) queueMicrotask(() => (stop(), done()));
+    });
+  });
+
+// Slices: what reads one is drawn again only if that one changes.
 const slice = <T>(pick: (state: StudioState) => T) => {
   let before: T | null = null;
   let written = "";

@@ -49,7 +49,7 @@ function Bar() {
 /** The frames of the animation, and its keys. */
 function Timeline() {
   const now = time.value;
-  // Whoever does not see the keys does not want to set them.
+  // Where the keys are not seen, none are set.
   useEffect(() => () => void (time.peek()?.isRecording && record(false)), []);
   if (!now) return null;
   const last = Math.max(now.frames, now.frame ?? 0, now.frames > 0 ? 1 : emptyLength);

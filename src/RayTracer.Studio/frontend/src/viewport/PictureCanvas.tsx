@@ -27,7 +27,7 @@ function followFrames(canvas: HTMLCanvasElement): () => void {
     paintedDocument.value = frame.document;
     if (cameraMoves.peek()) movingFrames.value++;
     paintedFrames.value++;
-    // For whoever measures how quickly pictures follow what is done.
+    // For measurements of how quickly pictures follow what is done.
     Object.assign(canvas.dataset, { painted: String(++painted), version: String(frame.version), samples: String(frame.samples), preview: String(frame.isPreview) });
     post({ kind: "painted" });
   });

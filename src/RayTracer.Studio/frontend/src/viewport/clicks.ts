@@ -3,6 +3,7 @@
 import { get, post } from "../api/client";
 import type { PickResult } from "../api/types";
 import type { Point } from "../math/projection";
+import { choose } from "../state/edits";
 import { attempt } from "../state/messages";
 import { bottomOpen, bottomTab, rightTab } from "../state/settings";
 import { inspectedPixel, tool } from "../state/store";
@@ -13,12 +14,14 @@ export function clickPixel(pixel: Point, adds = false): void {
   if (tool.value === "focus") attempt(() => post("view/focus", { x, y }));
   else if (tool.value === "inspect") inspect(pixel);
   else
-    attempt(async () => {
-      const { pointer } = await get<PickResult>("pick", { x, y });
-      // Beside what is selected, a click on nothing is a slip.
-      if (pointer || !adds) await post("select", { pointer, adds });
-      if (pointer) rightTab.value = "object";
-    });
+    attempt(() =>
+      choose(async () => {
+        const { pointer } = await get<PickResult>("pick", { x, y });
+        if (pointer) rightTab.value = "object";
+        // Beside what is selected, a click on nothing is a slip.
+        return pointer || !adds ? { pointer, adds } : null;
+      }),
+    );
 }
 
 export function inspect(pixel: Point): void {

@@ -2,25 +2,25 @@ using RayTracer.Adapters;
 using RayTracer.Description;
 using RayTracer.Textbook;
 
-namespace Chalk;
+namespace Dust;
 
-/// <summary>The material as scene files name it: <c>{ "type": "chalk", "color": "white" }</c>.</summary>
-[SceneType("chalk", "A matt surface that looks as bright at its edge as in its middle, as the moon does.")]
-public sealed record ChalkDescription : TextbookMaterialDescription
+/// <summary>The material as scene files name it: <c>{ "type": "dust", "color": "white" }</c>.</summary>
+[SceneType("dust", "A matt surface that looks as bright at its edge as in its middle, as the moon does.")]
+public sealed record DustDescription : TextbookMaterialDescription
 {
     /// <summary>The share of light that a grain of dust scatters.</summary>
     [Parameter("Share of light that a grain of dust scatters.", Minimum = 0, Maximum = 1)]
     public TextureDescription Color { get; init; } = "white";
 
     /// <inheritdoc/>
-    public override IMaterial Make(TextureMaker texture) => new Chalk(texture(Color));
+    public override IMaterial Make(TextureMaker texture) => new Dust(texture(Color));
 }
 
 /// <summary>
 /// A surface of dust: the law of Lommel and Seeliger (Seeliger 1887), by which light that enters is weakened on its way in and out, and scattered once. Its BRDF is
 /// color / (4π) / (cos θᵢ + cos θₒ), which is reciprocal, and at most half of the light comes back.
 /// </summary>
-public sealed class Chalk(ITexture color) : IMaterial
+public sealed class Dust(ITexture color) : IMaterial
 {
     /// <inheritdoc/>
     public Rgb Evaluate(in Hit hit, Vector toViewer, Vector toLight) =>

@@ -4,7 +4,7 @@ using RayTracer.Scenes;
 namespace RayTracer.Session.Tests;
 
 /// <summary>Materials, textures and lights are given to things: by their pointers, or where they are dropped.</summary>
-public sealed class ApplicationTests
+public sealed class AssignmentTests
 {
     private const string Balls = """
         {
@@ -50,17 +50,17 @@ public sealed class ApplicationTests
     public void A_texture_is_the_colour_of_the_things_own_material_or_of_a_copy_where_others_have_it()
     {
         JsonText text = JsonText.Of(Balls);
-        JsonText own = Application.Texture(text, "/shapes/1", "board");
+        JsonText own = Assignment.Texture(text, "/shapes/1", "board");
         Assert.Equal(Balls.Replace("\"baseColor\": \"blue\"", "\"baseColor\": \"board\"", StringComparison.Ordinal), own.Text);
 
         // The mask has it, too.
-        JsonText copied = Application.Texture(text, "/shapes/0", "board");
+        JsonText copied = Assignment.Texture(text, "/shapes/0", "board");
         Assert.Equal("red 2", copied.At("/shapes/0/material").Text);
         Assert.Equal("board", copied.At("/materials/red 2/color").Text);
         Assert.Equal(JsonKind.Array, copied.At("/materials/red/color").Kind);
 
-        Assert.Equal("board", Application.Texture(text, "/shapes/2", "board").At("/shapes/2/material/color").Text);
-        Assert.Equal("board", Application.Texture(text, "/materials/worn", "board").At("/materials/red/color").Text);
+        Assert.Equal("board", Assignment.Texture(text, "/shapes/2", "board").At("/shapes/2/material/color").Text);
+        Assert.Equal("board", Assignment.Texture(text, "/materials/worn", "board").At("/materials/red/color").Text);
         Assert.All([own, copied], t => Assert.True(SceneReader.ReadText(t.Text, "").Description is not null, t.Text));
     }
 

@@ -5,7 +5,7 @@ using RayTracer.Scenes;
 namespace RayTracer.Session;
 
 /// <summary>Gives things a material or a texture that has a name.</summary>
-internal static class Application
+internal static class Assignment
 {
     private const int MostNested = 16;
 
