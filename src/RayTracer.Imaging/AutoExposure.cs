@@ -29,7 +29,7 @@ public static class AutoExposure
             return exposure.Stops;
         }
 
-        Brightness brightness = new();
+        Brightness brightness = new(needsMean: exposure.Rule == ExposureRule.Auto);
         float[] row = new float[3 * image.Width];
         for (int y = 0; y < image.Height; y++)
         {
@@ -44,7 +44,7 @@ public static class AutoExposure
     }
 
     /// <summary>How bright pixels are: the mean of their logarithms, and how many are how much too bright.</summary>
-    private sealed class Brightness
+    private sealed class Brightness(bool needsMean)
     {
         private readonly long[] _above = new long[(StepsPerStop * (int)Exposure.Limit) + 1];
         private double _sum;
@@ -71,9 +71,14 @@ public static class AutoExposure
         {
             if (luminance > 0 && float.IsFinite(luminance))
             {
+                _lit++;
+                if (luminance <= 1 && !needsMean)
+                {
+                    return;
+                }
+
                 double stops = PortableMath.Log2(luminance);
                 _sum += stops;
-                _lit++;
                 if (stops > 0)
                 {
                     // White is 1 but for rounding.

@@ -11,7 +11,7 @@ namespace RayTracer.Rendering;
 internal sealed unsafe class ReportShader(ShaderContext context) : SurfaceShader(context)
 {
     private readonly ShadowQueue? _queue = context.Queue;
-    private readonly DirectLight _directLight = new(context.Scene, context.Queue, context.Observer, context.Clock);
+    private readonly DirectLight _directLight = new(context.Scene, context.Queue, context.LightObserver, context.Clock);
 
     internal override long ShadowRays => _directLight.ShadowRays;
 

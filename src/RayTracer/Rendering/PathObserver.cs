@@ -9,6 +9,9 @@ namespace RayTracer.Rendering;
 /// </summary>
 internal abstract unsafe class PathObserver
 {
+    /// <summary>False if it is not to see what light sources send, nor the rays to them, which takes longer.</summary>
+    public virtual bool SeesLights => true;
+
     /// <summary>Prepares for some samples of a tile.</summary>
     public virtual void Begin(in Tile tile, SampleRange samples)
     {

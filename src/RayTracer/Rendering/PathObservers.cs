@@ -13,6 +13,9 @@ internal sealed unsafe class PathObservers(PathObserver first, PathObserver seco
         first is null ? second : second is null ? first : new PathObservers(first, second);
 
     /// <inheritdoc/>
+    public override bool SeesLights => first.SeesLights || second.SeesLights;
+
+    /// <inheritdoc/>
     public override void Begin(in Tile tile, SampleRange samples)
     {
         first.Begin(tile, samples);

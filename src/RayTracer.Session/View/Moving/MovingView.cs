@@ -24,7 +24,6 @@ internal sealed unsafe class MovingView
     private readonly MovingThings _things = new();
     private MovingHistory[] _histories = [];
     private MovingPlanes[] _planes = [];
-    private Film? _film;
     private MovingCamera? _camera;
     private MovingCamera? _before;
     private MovingHistory _now = null!;
@@ -57,7 +56,7 @@ internal sealed unsafe class MovingView
         TimeSpan start = Environment.CpuUsage.TotalTime;
         RenderDescription render = wanted.Scene.Render;
         (int width, int height) = SizeFor(render.Width, render.Height);
-        Prepare(width, height, render);
+        Prepare(width, height);
         SceneChange change = _things.Turn(wanted);
         if (change == SceneChange.Other)
         {
@@ -77,17 +76,14 @@ internal sealed unsafe class MovingView
         return true;
     }
 
-    private void Prepare(int width, int height, RenderDescription render)
+    private void Prepare(int width, int height)
     {
-        IReadOnlyList<FilmPlane> planes = FilmPlane.Needed(Traced(render));
-        if (_film is { } film && (film.Width, film.Height) == (width, height) && film.Planes.SequenceEqual(planes))
+        PaddedRows rows = new(width, height);
+        if (_planes is [{ Rows: var before }, ..] && before == rows)
         {
-            film.Clear();
             return;
         }
 
-        _film = new(width, height, planes);
-        PaddedRows rows = new(width, height);
         _planes = [new(rows), new(rows)];
         _histories = [new(rows), new(rows)];
         Forget();
@@ -100,17 +96,15 @@ internal sealed unsafe class MovingView
     {
         RenderDescription render = wanted.Scene.Render with { Width = width, Height = height, SamplesPerPixel = Samples, Splitting = 1, Integrator = Traced(wanted.Scene.Render) };
         Scene scene = wanted.Scene.WithView(wanted.Camera, render, new((_, _) => new(1, 1))) ?? throw new InvalidOperationException("The moving view cannot be rendered.");
-        RenderOptions options = new() { Threads = wanted.Settings.Threads, Samples = new(sample, sample + 1) };
-        if (new RTracer(scene, options).Render(_film!, null, cancellation).Cancelled)
+        _now = _histories[_pictures % 2];
+        SeenPlanes seen = _now.Guides.Seen;
+        if (!new SeenPass(scene, wanted.Settings.Threads).Take(seen, sample, cancellation))
         {
             return false;
         }
 
-        _now = _histories[_pictures % 2];
         (_before, _camera) = (_camera, CameraOf(wanted, width, height));
-        SeenPlanes seen = _now.Guides.Seen;
         seen.Eye = _camera?.Eye ?? wanted.Camera.Position;
-        new FirstHitPass(scene, options).Take(seen, sample);
         return true;
     }
 
@@ -144,17 +138,15 @@ internal sealed unsafe class MovingView
     {
         MovingGuides guides = _now.Guides;
         (SeenPlanes seen, int start) = (guides.Seen, light.Rows.At(0, y));
-        for ((int x, int at) = (0, start); x < light.Rows.Width; x++, at++)
+        for (int at = start; at < start + light.Rows.Width; at++)
         {
-            Rgb mean = _film!.Mean(x, y);
-            (light.Red[at], light.Green[at], light.Blue[at]) = (mean.R, mean.G, mean.B);
             guides.Things[at] = (uint)_things.Of(wanted, seen.Surface[at]);
         }
 
         for (int at = start; at < start + light.Rows.Width; at += FloatW.Count)
         {
-            (RgbW color, Vec3W albedo, Vec3W away) = (light[at], seen.Albedo(at), seen.Point(at) - seen.Eye);
-            light[at] = new(color.R / FloatW.Max(albedo.X, DarkestAlbedo), color.G / FloatW.Max(albedo.Y, DarkestAlbedo), color.B / FloatW.Max(albedo.Z, DarkestAlbedo));
+            (Vec3W color, Vec3W albedo, Vec3W away) = (seen.Light(at), seen.Albedo(at), seen.Point(at) - seen.Eye);
+            light[at] = new(color.X / FloatW.Max(albedo.X, DarkestAlbedo), color.Y / FloatW.Max(albedo.Y, DarkestAlbedo), color.Z / FloatW.Max(albedo.Z, DarkestAlbedo));
             new FloatW(Vector.Log2((Vec3W.Dot(away, away) + 1e-12f).V) * 0.5f).Store(guides.Depth + at);
         }
     }

@@ -56,20 +56,6 @@ public sealed class FirstHitPass(Scene scene, RenderOptions? options = null)
             _ => { });
     }
 
-    /// <summary>Puts one sample of every pixel into planes, seen through mirrors and clear glass.</summary>
-    /// <param name="planes">Planes of the scene's size.</param>
-    /// <param name="sample">The number of the sample.</param>
-    internal void Take(SeenPlanes planes, int sample) => Parallel.ForEach(
-        Tile.Cut(new(0, 0, planes.Rows.Width, planes.Rows.Height), LargestTile * 2),
-        new ParallelOptions { MaxDegreeOfParallelism = _options.Threads > 0 ? _options.Threads : Environment.ProcessorCount },
-        () => new SeenThrough(scene, _options.StreamSize, LargestTile * LargestTile * 4),
-        (tile, _, beyond) =>
-        {
-            beyond.Take(planes, tile, sample);
-            return beyond;
-        },
-        _ => { });
-
     private Action<AovFilm, Tile, SampleRange> Worker(int pixels)
     {
         if (SeesThrough)

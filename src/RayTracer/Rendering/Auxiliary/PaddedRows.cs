@@ -16,4 +16,8 @@ internal readonly record struct PaddedRows(int Width, int Height)
 
     /// <summary>The place of a pixel.</summary>
     public int At(int x, int y) => ((y + 1) * Stride) + Margin + x;
+
+    /// <summary>The place of a pixel.</summary>
+    /// <param name="number">Its number in the picture, row by row.</param>
+    public int At(uint number) => At((int)(number % (uint)Width), (int)(number / (uint)Width));
 }

@@ -5,15 +5,15 @@ using RayTracer.Numerics;
 namespace RayTracer.Rendering;
 
 /// <summary>
-/// What one sample of each pixel sees through mirrors and clear glass, as planes of floats that are written again for each picture of a moving view. Nothing is
-/// added up: a filter takes it as it is.
+/// The light of one sample of each pixel, and what it sees through mirrors and clear glass, as planes of floats that are written again for each picture of a
+/// moving view. Nothing is added up: a filter takes it as it is.
 /// </summary>
 internal sealed unsafe class SeenPlanes
 {
     // How far what surrounds everything stands: points there move with the direction alone.
     private const float Beyond = 1e6f;
 
-    // Points, normals and albedo, three planes each.
+    // Points, normals, albedo and light, three planes each.
     private readonly PinnedBuffer<float> _planes;
     private readonly float* _first;
     private readonly nint _size;
@@ -22,7 +22,7 @@ internal sealed unsafe class SeenPlanes
     /// <param name="rows">How pixels lie in the planes.</param>
     public SeenPlanes(PaddedRows rows)
     {
-        (Rows, Surface, _planes, _size) = (rows, new SurfaceName[rows.Size], new(9L * rows.Size), rows.Size);
+        (Rows, Surface, _planes, _size) = (rows, new SurfaceName[rows.Size], new(12L * rows.Size), rows.Size);
         _first = _planes.Pointer;
     }
 
@@ -55,19 +55,37 @@ internal sealed unsafe class SeenPlanes
     /// <summary>The plane of a coordinate of the normals.</summary>
     public float* Normals(int axis) => Plane(3 + axis);
 
+    /// <summary>The light.</summary>
+    /// <param name="at">The place of the first pixel.</param>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public Vec3W Light(int at) => Load(9, at);
+
+    /// <summary>The surface that a ray meets.</summary>
+    public static SurfaceName SurfaceOf(Scene scene, PathStream stream, int ray) =>
+        new((int)stream.Primitive[ray], scene.World.Instances is null ? 0 : (int)stream.Instance[ray]);
+
+    /// <summary>Takes the light of a pixel.</summary>
+    public void TakeLight(int at, Rgb light) => Store(9, at, new(light.R, light.G, light.B));
+
     /// <summary>Takes what a ray sees.</summary>
     /// <param name="at">The place of its pixel.</param>
-    /// <param name="hit">The last surface; <see cref="FirstHit.Primitive"/> is 0 for none.</param>
-    /// <param name="instance">The instance that shows it.</param>
-    /// <param name="first">The ray from the camera: origin, direction, and the length of the whole path.</param>
-    public void Take(long at, in FirstHit hit, int instance, in (Vector3 Origin, Vector3 Direction, float Length) first)
+    /// <param name="point">The point, as far behind a mirror as the light has gone.</param>
+    /// <param name="normal">The unit normal there.</param>
+    /// <param name="albedo">The part of the light that comes from there to the camera.</param>
+    /// <param name="surface">The surface.</param>
+    public void Take(int at, Vector3 point, Vector3 normal, Rgb albedo, SurfaceName surface)
     {
-        bool isHit = hit.Primitive > 0;
-        Store(0, at, first.Origin + (first.Direction * (isHit ? first.Length : Beyond)));
-        Store(3, at, isHit ? hit.Normal : Vector3.Zero);
-        Store(6, at, isHit ? new(hit.Albedo.R, hit.Albedo.G, hit.Albedo.B) : Vector3.One);
-        Surface[at] = isHit ? new((int)hit.Primitive - 1, instance) : SurfaceName.None;
+        Store(0, at, point);
+        Store(3, at, normal);
+        Store(6, at, new(albedo.R, albedo.G, albedo.B));
+        Surface[at] = surface;
     }
+
+    /// <summary>Takes a ray that meets nothing.</summary>
+    /// <param name="at">The place of its pixel.</param>
+    /// <param name="origin">Where it leaves the camera.</param>
+    /// <param name="direction">Its direction there.</param>
+    public void TakeNothing(int at, Vector3 origin, Vector3 direction) => Take(at, origin + (direction * Beyond), Vector3.Zero, Rgb.White, SurfaceName.None);
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     private float* Plane(int number) => _first + (number * _size);

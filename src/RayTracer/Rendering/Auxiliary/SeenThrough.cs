@@ -47,17 +47,34 @@ internal sealed unsafe class SeenThrough : InteriorShader
         _stages.Follow(_generator, samples);
     }
 
-    /// <summary>Puts a sample of every pixel of a tile into planes.</summary>
-    /// <param name="planes">The planes; no other thread may use the tile's pixels.</param>
-    /// <param name="tile">The pixels.</param>
+    /// <summary>Puts a sample of some pixels into planes.</summary>
+    /// <param name="planes">The planes; no other thread may use the pixels.</param>
+    /// <param name="pixels">The pixels' numbers in the picture, row by row.</param>
     /// <param name="sample">The number of the sample.</param>
-    public void Take(SeenPlanes planes, in Tile tile, int sample)
+    public void Take(SeenPlanes planes, ReadOnlySpan<int> pixels, int sample)
     {
-        (_planes, _tile, _width) = (planes, tile, planes.Rows.Stride);
-        Array.Resize(ref _firsts, Math.Max(_firsts.Length, tile.Pixels));
+        _planes = planes;
+        Array.Resize(ref _firsts, Math.Max(_firsts.Length, pixels.Length));
         SampleRange samples = new(sample, sample + 1);
-        _generator.Begin(tile, samples);
+        _generator.Begin(pixels, samples, (uint)Scene.Render.Seed);
         _stages.Follow(_generator, samples);
+    }
+
+    /// <summary>Returns the lanes whose light mostly comes from one direction, as in a mirror or clear glass.</summary>
+    /// <param name="material">The material.</param>
+    /// <param name="surface">The surfaces.</param>
+    /// <param name="scatter">That direction.</param>
+    public MaskW IsClear(Material material, in SurfaceW surface, out ScatterW scatter)
+    {
+        _middle.Begin(0u, 0u, 0u);
+        material.Scatter(surface, _middle, out scatter);
+        if (!material.Traits.HasDensity)
+        {
+            return scatter.Delta;
+        }
+
+        material.Pdf(surface, scatter.Direction, out FloatW pdf);
+        return scatter.Delta | (pdf > LeastDensity);
     }
 
     /// <inheritdoc/>
@@ -66,14 +83,15 @@ internal sealed unsafe class SeenThrough : InteriorShader
         for (int i = 0; i < count; i++)
         {
             int ray = (int)members[i];
-            FirstHit nothing = Hit(stream, ray, out long pixel) with { Primitive = 0 };
             if (_planes is { } planes)
             {
                 Extend(stream, ray);
-                planes.Take(pixel + planes.Rows.At(0, 0), nothing, 0, _firsts[stream.Path[ray]]);
+                (Vector3 origin, Vector3 direction, _) = _firsts[stream.Path[ray]];
+                planes.TakeNothing(planes.Rows.At(_generator.PixelNumbers[stream.Path[ray]]), origin, direction);
                 continue;
             }
 
+            FirstHit nothing = Hit(stream, ray, out long pixel) with { Primitive = 0 };
             _film!.Count(pixel, isHit: false);
             _film.Add(pixel, nothing, isDescribed: false);
         }
@@ -118,18 +136,21 @@ internal sealed unsafe class SeenThrough : InteriorShader
         {
             int lane = BitOperations.TrailingZeroCount(rest);
             int ray = (int)index[lane];
+            if (_planes is { } planes)
+            {
+                (Vector3 origin, Vector3 direction, float length) = _firsts[stream.Path[ray]];
+                planes.Take(
+                    planes.Rows.At(_generator.PixelNumbers[stream.Path[ray]]), origin + (direction * length), FirstHits.At(surface.Facing, lane),
+                    new(albedo.R[lane], albedo.G[lane], albedo.B[lane]), SeenPlanes.SurfaceOf(Scene, stream, ray));
+                continue;
+            }
+
             FirstHit hit = Hit(stream, ray, out long pixel) with
             {
                 Point = FirstHits.At(surface.Point, lane),
                 Normal = FirstHits.At(surface.Facing, lane),
                 Albedo = new(albedo.R[lane], albedo.G[lane], albedo.B[lane]),
             };
-            if (_planes is { } planes)
-            {
-                planes.Take(pixel + planes.Rows.At(0, 0), hit, Scene.World.Instances is null ? 0 : (int)stream.Instance[ray], _firsts[stream.Path[ray]]);
-                continue;
-            }
-
             _film!.Count(pixel, isHit: true);
             _film.Add(pixel, hit, isDescribed: false);
             _film.Add(pixel, hit, isDescribed: true);
@@ -142,15 +163,7 @@ internal sealed unsafe class SeenThrough : InteriorShader
         ref SurfaceW surface = ref packet.Surface;
         UIntW path = UIntW.Pick(stream.Path, index);
         UIntW vertex = UIntW.Pick(stream.State, index) & PathState.VertexMask;
-        _middle.Begin(0u, 0u, 0u);
-        group.Material.Scatter(surface, _middle, out packet.Scatter);
-        MaskW isClear = packet.Scatter.Delta;
-        if (group.Traits.HasDensity)
-        {
-            group.Material.Pdf(surface, packet.Scatter.Direction, out FloatW pdf);
-            isClear |= pdf > LeastDensity;
-        }
-
+        MaskW isClear = IsClear(group.Material, surface, out packet.Scatter);
         MaskW through = (active & isClear & (vertex < MostMirrors)).Except(packet.Scatter.Absorbed).Except(Dropped(surface, packet.Scatter.Direction));
         uint going = through.Bits;
         if (going == 0)

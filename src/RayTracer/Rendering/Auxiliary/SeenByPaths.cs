@@ -1,0 +1,149 @@
+using System.Numerics;
+using System.Runtime.InteropServices;
+using RayTracer.Materials;
+using RayTracer.Numerics;
+
+namespace RayTracer.Rendering;
+
+/// <summary>
+/// Puts the light of paths, one of each pixel, into planes, with what they see first: that need not be traced again, unless it is a mirror or clear glass. Each
+/// thread has its own.
+/// </summary>
+/// <param name="scene">The scene.</param>
+/// <param name="planes">The planes; no other thread may use the pixels of its tiles.</param>
+/// <param name="beyond">Knows what is seen through.</param>
+internal sealed unsafe class SeenByPaths(Scene scene, SeenPlanes planes, SeenThrough beyond) : PathObserver
+{
+    // Of a path, whose number is that of its pixel in the tile.
+    private const byte Unknown = 0;
+    private const byte Seen = 1;
+    private const byte SeesBeyond = 2;
+    private readonly List<int> _rest = [];
+    private byte[] _paths = [];
+    private int[] _places = [];
+    private Tile _tile;
+
+    /// <inheritdoc/>
+    public override bool SeesLights => false;
+
+    /// <summary>The numbers of the tile's pixels in the picture of which more is to be traced.</summary>
+    public ReadOnlySpan<int> Rest
+    {
+        get
+        {
+            _rest.Clear();
+            for (int path = 0; path < _tile.Pixels; path++)
+            {
+                if (_paths[path] != Seen)
+                {
+                    (int x, int y) = _tile.Pixel(path);
+                    _rest.Add((y * planes.Rows.Width) + x);
+                }
+            }
+
+            return CollectionsMarshal.AsSpan(_rest);
+        }
+    }
+
+    /// <inheritdoc/>
+    public override void Begin(in Tile tile, SampleRange samples)
+    {
+        _tile = tile;
+        Array.Resize(ref _paths, Math.Max(_paths.Length, tile.Pixels));
+        Array.Resize(ref _places, _paths.Length);
+        Array.Clear(_paths);
+        for (int path = 0; path < tile.Pixels; path++)
+        {
+            (int x, int y) = tile.Pixel(path);
+            _places[path] = planes.Rows.At(x, y);
+        }
+    }
+
+    /// <inheritdoc/>
+    public override void Scattered(
+        PathStream stream, uint* index, in MaskW active, in MaskW alive, Material material, in SurfaceW surface, in ScatterW scatter, bool isByLobe)
+    {
+        uint first = New(stream, index, active);
+        if (first == 0)
+        {
+            return;
+        }
+
+        uint clear = material.Traits.Specular == SpecularLobe.None ? 0 : beyond.IsClear(material, surface, out _).Bits & first;
+        Mark(stream, index, clear, SeesBeyond);
+        material.Albedo(surface, out RgbW albedo);
+        for (uint rest = first & ~clear; rest != 0; rest &= rest - 1)
+        {
+            int lane = BitOperations.TrailingZeroCount(rest);
+            int ray = (int)index[lane];
+            planes.Take(
+                Mark(stream, ray, Seen), FirstHits.At(surface.Point, lane), FirstHits.At(surface.Facing, lane),
+                new(albedo.R[lane], albedo.G[lane], albedo.B[lane]), SeenPlanes.SurfaceOf(scene, stream, ray));
+        }
+    }
+
+    /// <inheritdoc/>
+    public override void ScatteredInMedium(PathStream stream, uint* index, in MaskW active, in MaskW alive, in Vec3W point, in FloatW pdf) =>
+        Mark(stream, index, New(stream, index, active), SeesBeyond);
+
+    /// <inheritdoc/>
+    public override void Crossed(PathStream stream, uint* index, in MaskW active, in SurfaceW surface) =>
+        Mark(stream, index, New(stream, index, active), SeesBeyond);
+
+    /// <inheritdoc/>
+    public override void Missed(PathStream stream, uint* index, in MaskW lanes, in RgbW arriving)
+    {
+        for (uint rest = New(stream, index, lanes); rest != 0; rest &= rest - 1)
+        {
+            int ray = (int)index[BitOperations.TrailingZeroCount(rest)];
+            planes.TakeNothing(
+                Mark(stream, ray, Seen), new(stream.OriginX[ray], stream.OriginY[ray], stream.OriginZ[ray]),
+                new(stream.DirectionX[ray], stream.DirectionY[ray], stream.DirectionZ[ray]));
+        }
+    }
+
+    /// <inheritdoc/>
+    public override void EndStep(FinishedPaths finished, PathStream next)
+    {
+        // Of a single sample, the weight of a pixel filter would only be noise.
+        float* red = finished.Radiance;
+        float* green = red + finished.Stride;
+        float* blue = green + finished.Stride;
+        for (int i = 0; i < finished.Count; i++)
+        {
+            Rgb light = SampleAccumulator.Clamp(new(red[i], green[i], blue[i]));
+            planes.TakeLight(_places[finished.Path[i]], float.IsFinite(light.R + light.G + light.B) ? light : default);
+        }
+
+        finished.Clear();
+    }
+
+    // The lanes whose paths have met nothing so far.
+    private uint New(PathStream stream, uint* index, in MaskW lanes)
+    {
+        uint first = 0;
+        for (uint rest = lanes.Bits; rest != 0; rest &= rest - 1)
+        {
+            int lane = BitOperations.TrailingZeroCount(rest);
+            first |= _paths[stream.Path[index[lane]]] == Unknown ? 1u << lane : 0;
+        }
+
+        return first;
+    }
+
+    private void Mark(PathStream stream, uint* index, uint lanes, byte state)
+    {
+        for (uint rest = lanes; rest != 0; rest &= rest - 1)
+        {
+            Mark(stream, (int)index[BitOperations.TrailingZeroCount(rest)], state);
+        }
+    }
+
+    // Returns the place of the pixel.
+    private int Mark(PathStream stream, int ray, byte state)
+    {
+        uint path = stream.Path[ray];
+        _paths[path] = state;
+        return _places[path];
+    }
+}
