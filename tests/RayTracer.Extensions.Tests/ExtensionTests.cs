@@ -71,7 +71,7 @@ public sealed class ExtensionTests : IDisposable
     [Fact]
     public void The_command_writes_and_reads_them_like_its_own()
     {
-        CliRun run = CliRun.Fine("render", _scene, "-o", _folder["a.ppm"], "-o", _folder["a.exr"], "--aov", "facing", "--exposure", "1");
+        CliRun run = CliRun.Fine("render", _scene, "-o", _folder["a.ppm"], "-o", _folder["a.exr"], "--aov", "facing", "--exposure", "1", "--quiet");
         Assert.Equal("", run.Error);
         Picture shown = ImageFile.Read(_folder["a.ppm"]), linear = ImageFile.Read(_folder["a.exr"]);
         Assert.All(shown.Pixels.Zip(linear.Pixels), p => Assert.Equal(Math.Min(1, 2 * p.Second), p.First, 0.01));

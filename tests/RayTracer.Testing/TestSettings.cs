@@ -19,15 +19,19 @@ public static class TestSettings
     public static int Seed { get; } =
         int.TryParse(Environment.GetEnvironmentVariable("RAYTRACER_TEST_SEED"), CultureInfo.InvariantCulture, out int seed) ? seed : 0;
 
-    /// <summary>One number for every day, and another for a thorough run; about their geometric mean where that has little time.</summary>
+    /// <summary>One number for every day, and another for a thorough run; a third of the way between their logarithms where that has little time.</summary>
     public static int Scale(int everyday, int thorough) => s_thorough == "some" ? Between(everyday, thorough) : Thorough ? thorough : everyday;
 
     // A power of two between powers of two, and a square between squares: some sequences of samples need them.
     private static int Between(int a, int b)
     {
-        double root = double.Sqrt(double.Sqrt((double)a * b));
-        bool areSquares = double.IsInteger(double.Sqrt(a)) && double.IsInteger(double.Sqrt(b));
-        return int.IsPow2(a) && int.IsPow2(b) ? 1 << ((int.Log2(a) + int.Log2(b)) / 2)
-            : areSquares ? (int)double.Round(root) * (int)double.Round(root) : (int)double.Ceiling(root * root);
+        if (int.IsPow2(a) && int.IsPow2(b))
+        {
+            return 1 << (((2 * int.Log2(a)) + int.Log2(b)) / 3);
+        }
+
+        double between = double.Cbrt((double)a * a * b);
+        int edge = (int)double.Round(double.Sqrt(between));
+        return double.IsInteger(double.Sqrt(a)) && double.IsInteger(double.Sqrt(b)) ? edge * edge : (int)double.Round(between);
     }
 }

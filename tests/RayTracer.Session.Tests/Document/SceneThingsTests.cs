@@ -140,7 +140,7 @@ public sealed class SceneThingsTests
         string[] things = [.. JsonEditTests.Pointers(text.Root, "").Where(p => JsonPointer.Parse(p) is [var section, _] && sections.Contains(section))];
 
         // Every day, some twenty of scenes of many things.
-        int step = TestSettings.Thorough ? 1 : 1 + (things.Length / 20);
+        int step = 1 + (things.Length / TestSettings.Scale(20, 10000));
         foreach (string pointer in things.Where((_, i) => i % step == TestSettings.Seed % step))
         {
             (JsonText left, IReadOnlyList<string> notes) = SceneThings.Delete(text, [pointer]);

@@ -20,7 +20,7 @@ internal sealed unsafe class MovingView
     // A square, as jittered samples need; after so many pictures they come again.
     private const int Samples = 1024;
     private const float DarkestAlbedo = 0.04f;
-    private static readonly int[] s_steps = [1, 2, 4];
+    private static readonly int[] s_steps = [1, 3];
     private readonly MovingThings _things = new();
     private MovingHistory[] _histories = [];
     private MovingPlanes[] _planes = [];
