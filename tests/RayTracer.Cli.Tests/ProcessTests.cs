@@ -228,10 +228,10 @@ public sealed class ProcessTests : IDisposable
         return (process.ExitCode, error.Result);
     }
 
-    // Tests that a shell runs in the background ignore Ctrl-C, and so would their children.
+    // Tests that a shell runs in the background ignore Ctrl-C or a closed terminal, and so would their children.
     private static Process StartInterruptible(string redirection, params string[] args)
     {
-        const string heed = "env --default-signal=INT";
+        const string heed = "env --default-signal=INT,HUP";
         string[] words = ["-c", $"if {heed} true 2> /dev/null; then exec {heed} \"$0\" \"$@\" {redirection}; else exec \"$0\" \"$@\" {redirection}; fi", Program, .. args];
         return Process.Start(new ProcessStartInfo("/bin/sh", words) { UseShellExecute = false, RedirectStandardOutput = true, RedirectStandardError = true })!;
     }
