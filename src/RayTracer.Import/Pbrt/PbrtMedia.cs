@@ -3,6 +3,7 @@ using RayTracer.Description;
 using RayTracer.Materials;
 using RayTracer.Media;
 using RayTracer.Numerics;
+using RayTracer.Scenes;
 
 namespace RayTracer.Import;
 

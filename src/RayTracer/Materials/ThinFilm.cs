@@ -11,8 +11,9 @@ namespace RayTracer.Materials;
 /// <param name="index">Refractive index of the film over that of the outside, at least 1.</param>
 internal sealed unsafe class ThinFilm(float index)
 {
-    // Terms of the series: the next one is below 0.3 % but on brighter metals below films of an index above 2.
-    private const int Terms = 4;
+    // A lane ends its series at terms as small as this: head-on after two or three, but at grazing angles, where both faces reflect much, after many.
+    private const float Little = 5e-4f;
+    private const int MostTerms = 24;
 
     // A base that reflects more has no index.
     private const float Most = 0.9999f;
@@ -34,7 +35,7 @@ internal sealed unsafe class ThinFilm(float index)
         Bounces red = new(outer, inside, headOn.R, index);
         Bounces green = new(outer, inside, headOn.G, index);
         Bounces blue = new(outer, inside, headOn.B, index);
-        for (int term = 1; term <= Terms; term++)
+        for (int term = 1; term <= MostTerms && (red.Goes | green.Goes | blue.Goes).Any; term++)
         {
             RgbW left = Blurred(thickness * inside * (2 * index * term));
             red.Add(left.R);
@@ -109,9 +110,11 @@ internal sealed unsafe class ThinFilm(float index)
             _interference = 0f;
         }
 
+        public readonly MaskW Goes => FloatW.Abs(_factor * _product) > Little;
+
         public void Add(FloatW blurred)
         {
-            _factor *= _product;
+            _factor = Goes.Select(_factor * _product, 0f);
             _interference = FloatW.MultiplyAdd(_factor, blurred, _interference);
         }
 
