@@ -117,7 +117,8 @@ public static class OldFilms
         private static readonly string[] s_later =
             ["mergeRadius", "splitting", "straightThrough", "hideLights", "colorAttribute", "luminance", "density", "noise", "albedoGrid",
              "playback", "variant", "values", "picture", "pictureUp",
-             "refinement", "faceOfTriangle", "smooth", "emission", "emissionGrid", "mapping", "cloud", "phase", "secondColorAttribute", "second"];
+             "refinement", "faceOfTriangle", "smooth", "emission", "emissionGrid", "mapping", "cloud", "phase", "secondColorAttribute", "second",
+             "temperatureGrid", "temperatureOffset", "temperatureScale", "iridescence", "filmThickness", "filmIndex"];
 
         public string Of(SceneDescription scene, Tile? crop)
         {

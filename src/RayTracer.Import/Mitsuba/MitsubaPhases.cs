@@ -20,11 +20,12 @@ internal static class MitsubaPhases
             "rayleigh" => new() { Shape = PhaseShape.Rayleigh },
             "tabphase" => Table(phase),
             "blendphase" => Blend(phase, depth),
+            "sggx" => Flakes(phase, depth),
             _ => null,
         };
         if (read is null)
         {
-            phase.UnknownType("phase functions", "isotropic", "hg", "rayleigh", "tabphase", "blendphase");
+            phase.UnknownType("phase functions", "isotropic", "hg", "rayleigh", "tabphase", "blendphase", "sggx");
             return new();
         }
 
@@ -44,6 +45,23 @@ internal static class MitsubaPhases
         PhaseDescription table = new() { Shape = PhaseShape.Table, Values = [.. values.Select(v => v!.Value)] };
         string? complaint = table.Values.Any(v => v < 0) ? "the values of a phase function must be at least 0" : table.TableComplaint;
         return complaint is null ? table : phase.Log.Fail<PhaseDescription>(phase.PlaceOf("values"), complaint) ?? new();
+    }
+
+    // Of constant volumes Mitsuba knows only numbers and colours.
+    private static PhaseDescription Flakes(MitsubaObject phase, int depth)
+    {
+        (_, GridDescription? grid) = MitsubaMedia.Volume(phase, "S", Rgb.White, float.PositiveInfinity);
+        if (grid is null && !phase.LacksSomething)
+        {
+            phase.Log.Error(phase.Place, "phase \"sggx\" needs a \"gridvolume\" of six channels as \"S\"");
+        }
+
+        if (depth > 0)
+        {
+            phase.Log.Error(phase.TypePlace, "\"sggx\" within \"blendphase\" is not supported: it also says how much light the medium weakens");
+        }
+
+        return grid is null || depth > 0 ? new() : new() { Shape = PhaseShape.Sggx, MatrixGrid = grid };
     }
 
     private static PhaseDescription Blend(MitsubaObject phase, int depth)

@@ -23,7 +23,6 @@ internal static class MitsubaPlugins
         emitter sunsky: its sky is a table of numbers, which the native "sky" computes otherwise; a picture of it in an "envmap" is read
         emitter timed_sunsky: its sky is a table of numbers, which the native "sky" computes otherwise; a picture of it in an "envmap" is read
         emitter directionalarea: its light has no spread
-        phase sggx: media have no grain along which they would look different
         sensor batch: a scene has one camera
         sensor distant: its film is no picture
         sensor irradiancemeter: its film is no picture

@@ -3,6 +3,7 @@ using RayTracer.Description;
 using RayTracer.Materials;
 using RayTracer.Media;
 using RayTracer.Numerics;
+using RayTracer.Scenes;
 
 namespace RayTracer.Import;
 
@@ -81,8 +82,6 @@ internal sealed class PbrtMedia(ImportReading reading, PbrtWorld world, float ex
         }
 
         medium.Refuse("preset", "the named media of pbrt are not read: \"sigma_a\" and \"sigma_s\" say what they are");
-        medium.Refuse("temperature", "temperatures of media are not read: of what shines, one colour is (\"Le\")", "it does not shine");
-        medium.Ignore("temperaturecutoff", "temperaturescale", "temperatureoffset");
         float scale = medium.Float("scale", 1, 0);
         if (medium.Type == "rgbgrid")
         {
@@ -92,21 +91,43 @@ internal sealed class PbrtMedia(ImportReading reading, PbrtWorld world, float ex
         Rgb absorption = PbrtColors.Read(medium, "sigma_a", Rgb.White) * scale;
         Rgb scattering = PbrtColors.Read(medium, "sigma_s", Rgb.White) * scale;
         Rgb extinction = absorption + scattering;
+        GridDescription? density = medium.Type switch { "uniformgrid" => Grid(medium, medium.Floats("density"), 1, "density"), "nanovdb" => File(medium, "density"), _ => null };
+        GridDescription? heat = Temperatures(medium, density);
+        float coldest = medium.Float("temperatureoffset", medium.Float("temperaturecutoff", 0));
+        float kelvins = medium.Float("temperaturescale", 1, 0);
+        Rgb radiance = Emission(medium, heat is not null);
+        bool glows = heat is not null && !(absorption * radiance).IsBlack;
         return new()
         {
             Extinction = extinction,
             Albedo = new(Part(scattering.R, extinction.R), Part(scattering.G, extinction.G), Part(scattering.B, extinction.B)),
             Anisotropy = medium.Float("g", 0, -0.99f, 0.99f),
-            Emission = absorption * Emission(medium),
-            Density = medium.Type switch { "uniformgrid" => Grid(medium, medium.Floats("density"), 1, "density"), "nanovdb" => File(medium), _ => null },
+            Emission = absorption * radiance,
+            TemperatureGrid = glows ? heat : null,
+            TemperatureOffset = glows ? coldest : 0,
+            TemperatureScale = glows ? kelvins : 1,
+            Density = density,
             Cloud = medium.Type == "cloud" ? Cloud(medium) : null,
         };
     }
 
-    // For each unit of length, what is absorbed of a radiance: pbrt's media shine like bodies of that radiance.
-    private Rgb Emission(PbrtThing medium)
+    // Of a NanoVDB file they are a grid of that name, if it has one.
+    private static GridDescription? Temperatures(PbrtThing medium, GridDescription? density) => medium.Type switch
     {
-        Rgb radiance = PbrtColors.Read(medium, "Le", Rgb.Black, isLight: true);
+        "uniformgrid" when medium.Has("temperature") => Grid(medium, medium.Floats("temperature"), 1, "temperature"),
+        "nanovdb" when density is { File: var file } && VolumeFile.Has(file, "temperature") => File(medium, "temperature"),
+        _ => null,
+    };
+
+    // For each unit of length, what is absorbed of a radiance: pbrt's media shine like bodies of that radiance.
+    private Rgb Emission(PbrtThing medium, bool isHot)
+    {
+        Rgb radiance = PbrtColors.Read(medium, "Le", isHot ? Rgb.White : Rgb.Black, isLight: true);
+        if (isHot && medium.Has("Le"))
+        {
+            medium.Log.Error(medium.PlaceOf("Le"), "a medium has either \"Le\" or temperatures, not both");
+        }
+
         if (medium.Parameter("Lescale") is { Numbers.Count: > 1 } grid)
         {
             medium.Log.Unsupported(grid.Place, "grids of \"Lescale\" are not read: one number is", "it does not shine");
@@ -118,14 +139,14 @@ internal sealed class PbrtMedia(ImportReading reading, PbrtWorld world, float ex
 
     private static float Part(float scattering, float extinction) => extinction > 0 ? float.Min(scattering / extinction, 1) : 0;
 
-    private static GridDescription? File(PbrtThing medium)
+    private static GridDescription? File(PbrtThing medium, string name)
     {
         if (medium.FileName() is not { } file)
         {
             return null;
         }
 
-        return new() { File = file, Name = "density", Transform = MatrixSteps.Of(medium.State.Place) };
+        return new() { File = file, Name = name, Transform = MatrixSteps.Of(medium.State.Place) };
     }
 
     private static CloudDescription Cloud(PbrtThing medium) => new()

@@ -27,23 +27,14 @@ internal sealed class Spectrum(float[] wavelengths, float[] values)
         return values[next - 1] + (along * ((double)values[next] - values[next - 1]));
     }
 
-    /// <summary>The radiance of a black body, in W/(m² sr nm), by Planck's law (Planck 1901) with the exact constants of the SI; nothing beyond two wavelengths.</summary>
+    /// <summary>The radiance of a black body, in W/(m² sr nm), by Planck's law; nothing beyond two wavelengths.</summary>
     /// <param name="temperature">Its temperature in kelvins.</param>
     /// <param name="first">Shortest wavelength in nm.</param>
     /// <param name="last">Longest wavelength in nm.</param>
     public static Spectrum BlackBody(float temperature, float first, float last)
     {
-        const double hc = 6.62607015e-34 * 299792458;
-        const double k = 1.380649e-23;
         float[] wavelengths = [.. Enumerable.Range(CieTables.First, CieTables.Last - CieTables.First + 1).Select(w => (float)w)];
-        return new(wavelengths, [.. wavelengths.Select(w => w < first || w > last ? 0 : Radiance(w * 1e-9))]);
-
-        float Radiance(double length)
-        {
-            double power = hc / (length * k * temperature);
-            double others = power > 80 ? double.PositiveInfinity : LaneMath.Exp((float)power) - 1;
-            return (float)(2 * hc * 299792458 / (length * length * length * length * length * others) * 1e-9);
-        }
+        return new(wavelengths, [.. wavelengths.Select(w => w < first || w > last ? 0 : Spectra.BlackBody.Radiance(w, temperature))]);
     }
 
     /// <summary>The colour of light of this spectral radiance: 1 at all wavelengths has the luminance 1.</summary>

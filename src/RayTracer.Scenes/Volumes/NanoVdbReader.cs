@@ -28,10 +28,25 @@ internal static class NanoVdbReader
     public static VolumeGrid Read(ReadOnlySpan<byte> bytes, string name)
     {
         List<string> others = [];
+        if (Find(bytes, name, others, out int codec, out long size) is { } place)
+        {
+            return NanoVdbTree.Read(Unpacked(bytes[place], codec, size));
+        }
+
+        string has = others.Count == 0 ? "it has none" : $"it has {string.Join(", ", others.Take(10))}";
+        throw new VolumeException(name.Length == 0 ? $"it has no grid of floats: {has}" : $"it has no grid of floats called {Quotation.Of(name)}: {has}");
+    }
+
+    /// <summary>True where a file has a grid of floats of a name.</summary>
+    public static bool Has(ReadOnlySpan<byte> bytes, string name) => Find(bytes, name, [], out _, out _) is not null;
+
+    private static Range? Find(ReadOnlySpan<byte> bytes, string name, List<string> others, out int codec, out long size)
+    {
+        (codec, size) = (0, 0);
         int at = 0;
         while (at < bytes.Length && others.Count < MostGrids)
         {
-            (int codec, int count) = Segment(Part(bytes, at, SegmentHeader));
+            (codec, int count) = Segment(Part(bytes, at, SegmentHeader));
             at += SegmentHeader;
             (long Stored, long Size, uint Type, string Name)[] grids = new (long, long, uint, string)[count];
             for (int i = 0; i < count; i++)
@@ -39,12 +54,13 @@ internal static class NanoVdbReader
                 grids[i] = Grid(bytes, ref at);
             }
 
-            foreach ((long stored, long size, uint type, string own) in grids)
+            foreach ((long stored, long unpacked, uint type, string own) in grids)
             {
-                ReadOnlySpan<byte> data = Part(bytes, at, stored);
+                _ = Part(bytes, at, stored);
                 if ((name.Length == 0 || name == own) && type == 1)
                 {
-                    return NanoVdbTree.Read(Unpacked(data, codec, size));
+                    size = unpacked;
+                    return at..(at + (int)stored);
                 }
 
                 others.Add($"{Quotation.Of(own)} ({(type < s_types.Length ? s_types[type] : $"kind {type}")})");
@@ -52,8 +68,7 @@ internal static class NanoVdbReader
             }
         }
 
-        string has = others.Count == 0 ? "it has none" : $"it has {string.Join(", ", others.Take(10))}";
-        throw new VolumeException(name.Length == 0 ? $"it has no grid of floats: {has}" : $"it has no grid of floats called {Quotation.Of(name)}: {has}");
+        return null;
     }
 
     private static (int Codec, int Count) Segment(ReadOnlySpan<byte> header)

@@ -20,7 +20,10 @@ public static class VolumeFile
     /// <param name="description">Which grid it is, and of a file without a header, its size.</param>
     /// <exception cref="VolumeException">Something is wrong with the file.</exception>
     /// <exception cref="IOException">It cannot be opened.</exception>
-    public static VolumeGrid Read(string path, GridDescription description)
+    public static VolumeGrid Read(string path, GridDescription description) =>
+        Read(Bytes(path), s_formats.GetValueOrDefault(Path.GetExtension(path), GridFormat.Raw), description);
+
+    private static byte[] Bytes(string path)
     {
         using FileStream stream = File.OpenRead(path);
         if (stream.Length > MostBytes)
@@ -40,7 +43,22 @@ public static class VolumeFile
 
         byte[] bytes = new byte[stream.Length];
         stream.ReadExactly(bytes);
-        return Read(bytes, s_formats.GetValueOrDefault(Path.GetExtension(path), GridFormat.Raw), description);
+        return bytes;
+    }
+
+    /// <summary>True where a file is one of NanoVDB's that has a grid of floats of a name; false also where it cannot be read, which <see cref="Read(string, GridDescription)"/> tells.</summary>
+    /// <param name="path">The file's path.</param>
+    /// <param name="name">The name.</param>
+    public static bool Has(string path, string name)
+    {
+        try
+        {
+            return NanoVdbReader.Has(Bytes(path), name);
+        }
+        catch (Exception e) when (e is VolumeException or IOException or UnauthorizedAccessException)
+        {
+            return false;
+        }
     }
 
     /// <summary>Reads a grid from the bytes of a file.</summary>

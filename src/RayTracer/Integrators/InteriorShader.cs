@@ -178,7 +178,7 @@ internal abstract unsafe class InteriorShader(ShaderContext context) : SurfaceSh
         MaskW used = MaskW.First(stream.Count - i);
         BeginVertex(used.Select(UIntW.Load(stream.Path + i), 0u), UIntW.Load(stream.State + i) & PathState.VertexMask);
         Vertex.Flight(MediumStack.Crossings(media), out FloatW u, out FloatW v);
-        RgbW extinction = Scene.Media.Extinction(media);
+        RgbW extinction = Scene.Media.Extinction(media, new(FloatW.Load(stream.DirectionX + i), FloatW.Load(stream.DirectionY + i), FloatW.Load(stream.DirectionZ + i)));
         RgbW albedo = Scene.Media.Albedo(media);
         RgbW throughput = new(FloatW.Load(stream.ThroughputR + i), FloatW.Load(stream.ThroughputG + i), FloatW.Load(stream.ThroughputB + i));
         RgbW share = throughput * (1f / FloatW.Max(throughput.R + throughput.G + throughput.B, float.Epsilon));

@@ -247,8 +247,7 @@ internal sealed unsafe class PathShader(ShaderContext context, int maxDepth) : I
         Clock?.Enter(Stage.Light);
         _directLight.AddInMedium(point, incoming, media, Vertex, time, alive, throughput, ref radiance);
         Clock?.Enter(Stage.Scatter);
-        Vec3W direction = Scene.Media.Scatter(media, point, incoming, Vertex, out FloatW cosine);
-        FloatW pdf = Scene.Media.Phase(media, point, cosine);
+        Vec3W direction = Scene.Media.Scatter(media, point, incoming, Vertex, out FloatW pdf);
         Clock?.Enter(Stage.Shade);
         Survive(edges, FloatW.Max(throughput.R, FloatW.Max(throughput.G, throughput.B)) * Leniency, ref alive, ref throughput);
         Observer?.ScatteredInMedium(stream, index, active, alive, point, pdf);

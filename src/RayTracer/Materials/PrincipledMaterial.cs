@@ -62,6 +62,18 @@ public sealed record PrincipledMaterialDescription : MaterialDescription
     [Parameter("Roughness of the clear coat: 0 is polished, 1 is satin.", Minimum = 0, Maximum = 1, IsNumber = true)]
     public TextureDescription ClearcoatRoughness { get; init; } = Number(0);
 
+    /// <summary>How much of the surface has a thin film.</summary>
+    [Parameter("How much the surface shimmers in the colours of a thin film, as soap bubbles, oil on water and tempered steel do.", Minimum = 0, Maximum = 1, IsNumber = true)]
+    public TextureDescription Iridescence { get; init; } = Number(0);
+
+    /// <summary>Thickness of the film.</summary>
+    [Parameter("Only with iridescence: thickness of the film.", Unit = "nm", Minimum = 0, Maximum = 1e5, IsNumber = true)]
+    public TextureDescription FilmThickness { get; init; } = Number(400);
+
+    /// <summary>Refractive index of the film.</summary>
+    [Parameter("Only with iridescence: refractive index of the film relative to the outside.", Minimum = 1, Maximum = 10)]
+    public float FilmIndex { get; init; } = 1.3f;
+
     /// <summary>0 is matt, 1 as if light went around below the surface.</summary>
     [Parameter("How much the matt base looks as if light scattered below the surface, as in skin and wax.",
         Minimum = 0, Maximum = 1, IsNumber = true)]
@@ -93,8 +105,10 @@ public sealed record PrincipledMaterialDescription : MaterialDescription
                 Clearcoat = builder.NumberTexture(Clearcoat),
                 ClearcoatRoughness = builder.NumberTexture(ClearcoatRoughness),
                 Flatness = builder.NumberTexture(Flatness),
+                Iridescence = builder.NumberTexture(Iridescence),
+                FilmThickness = builder.NumberTexture(FilmThickness),
             },
-            Specular is { } specular ? IndexOf(specular) : RefractiveIndex ?? 1.5f, builder.Medium(Interior));
+            Specular is { } specular ? IndexOf(specular) : RefractiveIndex ?? 1.5f, builder.Medium(Interior), FilmIndex);
     }
 
     // Of 8 % · specular = ((n − 1)/(n + 1))².
@@ -111,7 +125,8 @@ public sealed record PrincipledMaterialDescription : MaterialDescription
 /// <param name="textures">The parameters.</param>
 /// <param name="refractiveIndex">Index of the inside over that of the outside, above 1.</param>
 /// <param name="interior">The medium inside; null for none.</param>
-internal sealed class PrincipledMaterial(PrincipledTextures textures, float refractiveIndex, Medium? interior = null) : Material
+/// <param name="filmIndex">Index of a film over that of the outside.</param>
+internal sealed class PrincipledMaterial(PrincipledTextures textures, float refractiveIndex, Medium? interior = null, float filmIndex = 1.3f) : Material
 {
     internal const float SmallestAlpha = 1e-3f;
 
@@ -120,6 +135,7 @@ internal sealed class PrincipledMaterial(PrincipledTextures textures, float refr
     private const float CoatStrength = 0.25f;
     private const float CoatMasking = 0.25f;
 
+    private readonly ThinFilm? _film = PrincipledTextures.IsZero(textures.Iridescence) ? null : new(filmIndex);
     private readonly bool _transmits = !PrincipledTextures.IsZero(textures.Transmission);
     private readonly bool _isAnisotropic = !PrincipledTextures.IsZero(textures.Anisotropic);
 
@@ -158,7 +174,9 @@ internal sealed class PrincipledMaterial(PrincipledTextures textures, float refr
         Begin(surface, out Values at);
         Vec3W light = at.Frame.ToLocal(direction);
         FloatW lightCosine = Vec3W.Dot(light, Vec3W.Normalize(light + at.View));
-        bsdf = (light.Z > 0f).Select(MattAndSheen(at, light.Z, lightCosine), default);
+        RgbW matt = MattAndSheen(at, light.Z, lightCosine);
+        matt *= _film is null ? 1f : BelowFilm(at, Shimmer(at.HeadOn, at.FilmThickness, lightCosine));
+        bsdf = (light.Z > 0f).Select(matt, default);
     }
 
     /// <inheritdoc/>
@@ -187,7 +205,8 @@ internal sealed class PrincipledMaterial(PrincipledTextures textures, float refr
         Vec3W normal = at.Main.Sample(at.View, u, v);
         FloatW cosine = Vec3W.Dot(at.View, normal);
         FloatW fresnel = Fresnel.Dielectric(FloatW.Min(FloatW.Max(cosine, 0f), 1f), 1f / at.Index, out FloatW cosTransmitted);
-        MaskW refracts = isMain & (choice >= at.MainShare * ReflectedShare(at, fresnel));
+        FloatW split = _film is null ? fresnel : Split(at.Film, fresnel, Shimmer(at.HeadOn, at.FilmThickness, at.IsFront.Select(cosine, cosTransmitted)));
+        MaskW refracts = isMain & (choice >= at.MainShare * ReflectedShare(at, split));
         normal = isCoat.Select(CoatNormal(at, u, v), normal);
         Vec3W light = Vec3W.MultiplyAdd(normal, Vec3W.Dot(at.View, normal) * 2f, -at.View);
         light = (isMain | isCoat).Select(light, Warp.CosineHemisphere(u, v));
@@ -243,6 +262,8 @@ internal sealed class PrincipledMaterial(PrincipledTextures textures, float refr
         at.Sheen = Red(textures.Sheen, surface);
         at.SheenTint = Red(textures.SheenTint, surface);
         at.Flatness = Red(textures.Flatness, surface);
+        at.Film = _film is null ? 0f : Red(textures.Iridescence, surface);
+        at.FilmThickness = _film is null ? 0f : FloatW.Max(Red(textures.FilmThickness, surface), 0f);
         FloatW clearcoat = Red(textures.Clearcoat, surface);
         at.CoatAlpha = FloatW.MultiplyAdd(Red(textures.ClearcoatRoughness, surface), 0.099f, 0.001f);
         FloatW transmission = Red(textures.Transmission, surface);
@@ -262,7 +283,16 @@ internal sealed class PrincipledMaterial(PrincipledTextures textures, float refr
         at.Main = new(MicrofacetDistribution.Ggx, FloatW.Max(alpha / aspect, SmallestAlpha), FloatW.Max(alpha * aspect, SmallestAlpha));
 
         // Each lobe is chosen about as often as it sends on light.
-        FloatW head = Fresnel.Dielectric(FloatW.Min(at.View.Z, 1f), 1f / at.Index, out _);
+        FloatW head = Fresnel.Dielectric(FloatW.Min(at.View.Z, 1f), 1f / at.Index, out FloatW cosTransmitted);
+        at.HeadOn = default;
+        if (_film is not null)
+        {
+            // Of a metal, or a dielectric that is tinted or not, the film sees what it would reflect head-on.
+            float jump = (refractiveIndex - 1) / (refractiveIndex + 1);
+            at.HeadOn = Lerp(Lerp(Rgb.White, at.Tint, at.SpecularTint) * (jump * jump), at.Base, at.Metallic);
+            head = Split(at.Film, head, Shimmer(at.HeadOn, at.FilmThickness, at.IsFront.Select(at.View.Z, cosTransmitted)));
+        }
+
         FloatW main = FloatW.Max(FloatW.MultiplyAdd(at.Metallic, luminance, (1f - at.Metallic) * head) + glass * (1f - head), 0.05f);
         FloatW coat = at.Coat * FloatW.MultiplyAdd(Grazing(at.View.Z), 1f - CoatReflectance, CoatReflectance);
         FloatW matt = at.Matt * luminance + at.Sheen * Grazing(at.View.Z);
@@ -304,13 +334,26 @@ internal sealed class PrincipledMaterial(PrincipledTextures textures, float refr
         Vec3W normal = Vec3W.Normalize(half * FloatW.CopySign(1f, half.Z));
         FloatW viewCosine = Vec3W.Dot(at.View, normal);
         FloatW lightCosine = Vec3W.Dot(light, normal);
-        FloatW fresnel = Fresnel.Dielectric(FloatW.Min(FloatW.Max(viewCosine, 0f), 1f), 1f / at.Index, out _);
+        FloatW fresnel = Fresnel.Dielectric(FloatW.Min(FloatW.Max(viewCosine, 0f), 1f), 1f / at.Index, out FloatW cosTransmitted);
         FloatW masking = at.Main.Masking(at.View, normal);
         FloatW visible = at.Main.Density(normal) * masking;
         FloatW shadowed = visible * at.Main.Masking(light, normal);
-        FloatW reflectedShare = ReflectedShare(at, fresnel) * at.MainShare;
+        RgbW reflected = MainReflectance(at, viewCosine, fresnel);
+        FloatW passed = 1f - fresnel;
+        RgbW below = Rgb.White;
+        FloatW matt = 1f;
+        FloatW split = fresnel;
+        if (_film is not null)
+        {
+            // From the inside as from the outside, so that light and eye can be exchanged.
+            RgbW shimmer = Shimmer(at.HeadOn, at.FilmThickness, at.IsFront.Select(viewCosine, cosTransmitted));
+            below = Lerp(below * passed, new(1f - shimmer.R, 1f - shimmer.G, 1f - shimmer.B), at.Film);
+            (passed, matt, split) = (1f, BelowFilm(at, shimmer), Split(at.Film, fresnel, shimmer));
+            reflected = Lerp(reflected, at.IsFront.Select(shimmer, shimmer * at.Glass), at.Film);
+        }
 
-        RgbW above = MainReflectance(at, viewCosine, fresnel) * (shadowed / (at.View.Z * light.Z * 4f));
+        FloatW reflectedShare = ReflectedShare(at, split) * at.MainShare;
+        RgbW above = reflected * (shadowed / (at.View.Z * light.Z * 4f));
         FloatW pdfAbove = visible * reflectedShare / (at.View.Z * 4f);
         if ((at.Coat > 0f).Any)
         {
@@ -322,7 +365,7 @@ internal sealed class PrincipledMaterial(PrincipledTextures textures, float refr
             pdfAbove = FloatW.MultiplyAdd(at.CoatShare * density, normal.Z / (4f * viewCosine), pdfAbove);
         }
 
-        above += MattAndSheen(at, light.Z, lightCosine);
+        above += MattAndSheen(at, light.Z, lightCosine) * matt;
         pdfAbove = FloatW.MultiplyAdd(at.MattShare, Warp.CosineHemispherePdf(light.Z), pdfAbove);
         bsdf = isAbove.Select(above, default);
         pdf = isAbove.Select(pdfAbove, 0f);
@@ -333,13 +376,23 @@ internal sealed class PrincipledMaterial(PrincipledTextures textures, float refr
 
         // As in Walter et al. 2007, eqs. 17 and 21; the colour counts at each boundary, so its root is taken.
         FloatW stretch = FloatW.MultiplyAdd(at.Index, lightCosine, viewCosine);
-        FloatW through = shadowed * at.Glass * (1f - fresnel) * FloatW.Abs(viewCosine * lightCosine / (at.View.Z * light.Z)) / (stretch * stretch);
+        FloatW through = shadowed * at.Glass * passed * FloatW.Abs(viewCosine * lightCosine / (at.View.Z * light.Z)) / (stretch * stretch);
         MaskW refracts = light.Z < 0f & viewCosine > 0f & lightCosine < 0f;
         RgbW root = new(FloatW.Sqrt(at.Base.R), FloatW.Sqrt(at.Base.G), FloatW.Sqrt(at.Base.B));
         FloatW pdfThrough = visible * (at.MainShare - reflectedShare) * FloatW.Abs(viewCosine * lightCosine) * at.Index * at.Index / (at.View.Z * stretch * stretch);
-        bsdf = refracts.Select(root * through, bsdf);
+        bsdf = refracts.Select(root * below * through, bsdf);
         pdf = refracts.Select(pdfThrough, pdf);
     }
+
+    // What the boundary reflects below the film, by the cosine of the angle outside.
+    private RgbW Shimmer(in RgbW headOn, FloatW thickness, FloatW cosine) => _film!.Reflectance(FloatW.Max(0f, FloatW.Min(cosine, 1f)), headOn, thickness);
+
+    // The part of the light that is reflected, as a mean over the channels, by which lobes are chosen.
+    private static FloatW Split(FloatW film, FloatW fresnel, in RgbW shimmer) =>
+        FloatW.MultiplyAdd(film, ((shimmer.R + shimmer.G + shimmer.B) * (1f / 3)) - fresnel, fresnel);
+
+    // What a film leaves of the light of the base: as in the glTF extension, by its brightest channel.
+    private static FloatW BelowFilm(in Values at, in RgbW shimmer) => FloatW.NegatedMultiplyAdd(at.Film, FloatW.Max(shimmer.R, FloatW.Max(shimmer.G, shimmer.B)), 1f);
 
     // Metal and tint by Schlick's approximation, the rest by Fresnel's equations.
     private RgbW MainReflectance(in Values at, FloatW cosine, FloatW fresnel)
@@ -376,8 +429,8 @@ internal sealed class PrincipledMaterial(PrincipledTextures textures, float refr
     {
         public Onb Frame;
         public Vec3W View;
-        public RgbW Base, Tint;
-        public FloatW Metallic, Roughness, SpecularTint, Sheen, SheenTint, Flatness, Coat, CoatAlpha, Matt, Glass, Index, MainShare, CoatShare, MattShare;
+        public RgbW Base, Tint, HeadOn;
+        public FloatW Metallic, Roughness, SpecularTint, Sheen, SheenTint, Flatness, Film, FilmThickness, Coat, CoatAlpha, Matt, Glass, Index, MainShare, CoatShare, MattShare;
         public MaskW IsFront;
         public Microfacets Main;
     }

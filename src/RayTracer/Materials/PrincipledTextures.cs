@@ -40,6 +40,12 @@ internal sealed class PrincipledTextures
     /// <summary>Roughness of the second coat.</summary>
     public Texture ClearcoatRoughness { get; init; } = s_zero;
 
+    /// <summary>How much of the surface has a thin film.</summary>
+    public Texture Iridescence { get; init; } = s_zero;
+
+    /// <summary>Thickness of the film, in nm.</summary>
+    public Texture FilmThickness { get; init; } = s_zero;
+
     /// <summary>0 is matt, 1 as if light went around below the surface.</summary>
     public Texture Flatness { get; init; } = s_zero;
 
@@ -53,7 +59,7 @@ internal sealed class PrincipledTextures
     public bool UsesUv => BaseColor.Constant is null || Roughness.Constant is null || Metallic.Constant is null || Anisotropic.Constant is null
         || SpecularTint.Constant is null || Transmission.Constant is null || Sheen.Constant is null || SheenTint.Constant is null
         || Clearcoat.Constant is null || ClearcoatRoughness.Constant is null || Flatness.Constant is null || RefractiveIndex.Constant is null
-        || DiffuseTransmission.Constant is null;
+        || DiffuseTransmission.Constant is null || Iridescence.Constant is null || FilmThickness.Constant is null;
 
     /// <summary>Returns whether a parameter is zero everywhere.</summary>
     public static bool IsZero(Texture texture) => texture.Constant is { R: 0 };

@@ -90,6 +90,7 @@ internal unsafe struct FlightW
         FloatW stepY = FloatW.CopySign(1f, Direction.Y);
         FloatW stepZ = FloatW.CopySign(1f, Direction.Z);
         Vec3W ahead = new(FloatW.Max(stepX, 0f), FloatW.Max(stepY, 0f), FloatW.Max(stepZ, 0f));
+        FloatW area = medium.LargestArea(Direction);
         (FloatW cellX, FloatW cellY, FloatW cellZ, FloatW at, FloatW depth) = (CellX, CellY, CellZ, At, Depth);
         MaskW arrived = MaskW.None;
         for (MaskW going = among; going.Any;)
@@ -100,11 +101,11 @@ internal unsafe struct FlightW
             FloatW border = FloatW.Min(nextX, FloatW.Min(nextY, nextZ));
             FloatW next = FloatW.Max(FloatW.Min(border, End), at);
             UIntW cell = FloatW.MultiplyAdd(FloatW.MultiplyAdd(cellZ, ny, cellY), nx, cellX).ToIntInRange();
-            FloatW rate = FloatW.Gather(medium.Most, cell);
+            FloatW rate = FloatW.Gather(medium.Most, cell) * area;
             FloatW least = 0f;
             if (aboveBase)
             {
-                least = FloatW.Gather(medium.Least, cell);
+                least = FloatW.Gather(medium.Least, cell) * area;
                 rate -= least;
             }
 

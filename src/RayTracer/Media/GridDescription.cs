@@ -40,7 +40,7 @@ public sealed record GridDescription
     public string File { get; init; } = "";
 
     /// <summary>The numbers themselves; empty where a file has them.</summary>
-    [Parameter("The numbers of the grid, in place of a file; together with size. Those along x come first, then y, then z.", Minimum = 0)]
+    [Parameter("The numbers of the grid, in place of a file; together with size. Those along x come first, then y, then z.")]
     public IReadOnlyList<float> Values { get; init; } = [];
 
     /// <summary>The name of the grid within the file; empty for the first.</summary>
@@ -49,7 +49,7 @@ public sealed record GridDescription
 
     /// <summary>The points along x, y and z of values, or of a file without a header; empty for others.</summary>
     [Parameter("For values, or a file of nothing but numbers: how many points it has along x, y and z; those along x come first, then y, then z. A fourth number, 3, says that each has red, "
-        + "green and blue.")]
+        + "green and blue, and 6, xx, yy, zz, xy, xz and yz of a symmetric matrix.")]
     public IReadOnlyList<int> Size { get; init; } = [];
 
     /// <summary>How a file without a header holds numbers.</summary>
@@ -74,10 +74,23 @@ public sealed record GridDescription
     public Wrapping Wrapping { get; init; } = Wrapping.Clamp;
 
     /// <summary>The grid in its place; null after an error.</summary>
-    internal PlacedGrid? Build(SceneBuilder builder) =>
-        Numbered(builder) is { } grid && GridBox.Place(this, Box, Transform, grid.Place, builder) is { } place
-            ? new(grid, place, Interpolation, Wrapping)
-            : null;
+    /// <param name="builder">Gives access to files and takes diagnostics.</param>
+    /// <param name="ofMatrices">True for a grid of symmetric matrices.</param>
+    internal PlacedGrid? Build(SceneBuilder builder, bool ofMatrices = false)
+    {
+        if (Numbered(builder) is not { } grid || GridBox.Place(this, Box, Transform, grid.Place, builder) is not { } place)
+        {
+            return null;
+        }
+
+        if (grid.Channels == 6 == ofMatrices)
+        {
+            return new(grid, place, Interpolation, Wrapping);
+        }
+
+        builder.Error(this, null, ofMatrices ? $"matrices have six numbers at each point, but the grid has {grid.Channels}" : "the grid has six numbers at each point, which are a matrix: only \"matrixGrid\" takes them");
+        return null;
+    }
 
     private VolumeGrid? Numbered(SceneBuilder builder)
     {
@@ -89,7 +102,8 @@ public sealed record GridDescription
         string? complaint = Values.Count == 0 ? "a grid needs a \"file\", or \"values\""
             : File.Length > 0 ? "a grid has either a file or values, not both"
             : Size.Count is not (3 or 4) ? "values need \"size\", their points along x, y and z" : VolumeGrid.SizeComplaint(Size[0], Size[1], Size[2], Channels)
-            ?? (Values.Count != (long)Size[0] * Size[1] * Size[2] * Channels ? $"{string.Join('×', Size)} numbers are needed, but there are {Values.Count}" : null);
+            ?? (Values.Count != (long)Size[0] * Size[1] * Size[2] * Channels ? $"{string.Join('×', Size)} numbers are needed, but there are {Values.Count}" : null)
+            ?? (Channels != 6 && Values.Any(v => v < 0) ? "the numbers must be at least 0" : null);
         if (complaint is not null)
         {
             builder.Error(this, Values.Count > 0 ? nameof(Values) : null, complaint);

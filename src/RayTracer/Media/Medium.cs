@@ -17,6 +17,9 @@ public sealed record Medium(Rgb Extinction, Rgb Albedo, float Anisotropy)
 
     /// <summary>How it spreads what it scatters over directions; null for Henyey and Greenstein's phase function, by <see cref="Anisotropy"/>.</summary>
     internal PhaseFunction? Phase { get; init; }
+
+    /// <summary>The flakes that scatter instead; null for none.</summary>
+    internal Microflakes? Flakes { get; init; }
 }
 
 /// <summary>The inside of a shape.</summary>

@@ -48,6 +48,19 @@ public sealed record MediumDescription
     [Parameter("Numbers by which the emission is multiplied instead of the density, from a file: the heat of a flame. They count within the box of the density.")]
     public GridDescription? EmissionGrid { get; init; }
 
+    /// <summary>Temperatures, by which the emission is coloured; null for none.</summary>
+    [Parameter("Temperatures in kelvins, from a file: the emission is multiplied by the colour of a black body that is so hot, whose radiance is 1 at the wavelength where it is largest. Places of "
+        + "100 K and below are dark. Only where the density varies.")]
+    public GridDescription? TemperatureGrid { get; init; }
+
+    /// <summary>What is subtracted from the numbers of the temperatures.</summary>
+    [Parameter("What is first subtracted from the numbers of the temperature grid.")]
+    public float TemperatureOffset { get; init; }
+
+    /// <summary>Kelvins for each unit of the temperatures.</summary>
+    [Parameter("Kelvins for each unit of the numbers of the temperature grid.", Minimum = 0)]
+    public float TemperatureScale { get; init; } = 1;
+
     /// <summary>Makes the medium; null for empty space.</summary>
     /// <param name="builder">Gives access to files and takes diagnostics.</param>
     public Medium? Build(SceneBuilder builder)
@@ -73,6 +86,16 @@ public sealed record MediumDescription
             builder.Error(this, nameof(EmissionGrid), "the emission varies only where the density does: add \"density\", \"noise\" or \"cloud\"");
         }
 
+        if (TemperatureGrid is not null && (Emission.IsBlack || !varies))
+        {
+            builder.Error(this, nameof(TemperatureGrid), Emission.IsBlack ? "the temperatures colour the \"emission\", which is black" : "the temperature varies only where the density does: add \"density\", \"noise\" or \"cloud\"");
+        }
+
+        if (TemperatureGrid is null && (TemperatureOffset != 0 || TemperatureScale != 1))
+        {
+            builder.Error(this, TemperatureOffset != 0 ? nameof(TemperatureOffset) : nameof(TemperatureScale), "there is no \"temperatureGrid\"");
+        }
+
         if (Phase is not null && Anisotropy != 0)
         {
             builder.Error(this, nameof(Anisotropy), "a medium has either \"anisotropy\" or \"phase\", not both");
@@ -81,12 +104,23 @@ public sealed record MediumDescription
         PlacedGrid? density = Density?.Build(builder) ?? Noise?.Build(builder) ?? Cloud?.Build(builder);
         PlacedGrid? albedo = AlbedoGrid?.Build(builder);
         PlacedGrid? emission = EmissionGrid?.Build(builder);
+        PlacedGrid? temperatures = TemperatureGrid?.Build(builder);
+        if (temperatures is { Grid.Channels: not 1 })
+        {
+            builder.Error(this, nameof(TemperatureGrid), "a temperature is one number, but the grid has red, green and blue");
+        }
+
         PhaseFunction? phase = Phase?.Build(builder);
+        Microflakes? flakes = Phase?.Flakes(builder, varies);
         return Extinction.IsBlack && Emission.IsBlack ? null : new(Extinction, Albedo, Phase is { Shape: PhaseShape.HenyeyGreenstein, Anisotropy: var g } ? g : Anisotropy)
         {
             Phase = phase is HenyeyGreenstein ? null : phase,
+            Flakes = flakes,
             Emission = density is null ? Emission : Rgb.Black,
-            Varying = density is null ? null : new(density, albedo, Extinction, Albedo, Emission, emission),
+            Varying = density is null ? null : new(density, albedo, Extinction, Albedo, Emission, emission, flakes)
+            {
+                Heat = temperatures is null ? null : new(temperatures, TemperatureOffset, TemperatureScale, density),
+            },
         };
     }
 }

@@ -41,7 +41,7 @@ internal sealed class MediumMaterial(MediumTable media) : Material
 
     /// <inheritdoc/>
     public override void Pdf(in SurfaceW surface, in Vec3W direction, out FloatW pdf) =>
-        pdf = media.Phase(surface.U.ToInt(), surface.Point, Vec3W.Dot(surface.Incoming, direction));
+        pdf = media.Phase(surface.U.ToInt(), surface.Point, surface.Incoming, direction);
 
     /// <inheritdoc/>
     public override void Evaluate(in SurfaceW surface, in Vec3W direction, out RgbW bsdf, out FloatW pdf)

@@ -16,6 +16,7 @@ internal sealed unsafe class MediumTable
 
     // Those of the media that do not scatter by Henyey and Greenstein's.
     private readonly (uint Number, PhaseFunction Phase)[] _phases;
+    private readonly (uint Number, Microflakes Flakes)[] _flakes;
 
     /// <summary>Makes the table; they have the numbers from 1 in their order.</summary>
     public MediumTable(IReadOnlyList<Interior> interiors)
@@ -28,6 +29,7 @@ internal sealed unsafe class MediumTable
         _priorities.Pointer[0] = -1;
         List<(uint, VaryingMedium)> varying = [];
         List<(uint, PhaseFunction)> phases = [];
+        List<(uint, Microflakes)> flakes = [];
         for (int i = 0; i < interiors.Count; i++)
         {
             (Rgb extinction, Rgb albedo, float anisotropy) = interiors[i].Medium ?? s_empty;
@@ -41,6 +43,11 @@ internal sealed unsafe class MediumTable
             if (interiors[i].Medium?.Phase is { } phase)
             {
                 phases.Add(((uint)i + 1, phase));
+            }
+
+            if (interiors[i].Medium?.Flakes is { } ofMedium)
+            {
+                flakes.Add(((uint)i + 1, ofMedium));
             }
 
             Rgb emission = interiors[i].Medium?.Emission ?? Rgb.Black;
@@ -58,7 +65,7 @@ internal sealed unsafe class MediumTable
             _priorities.Pointer[i + 1] = interiors[i].Nesting?.Priority ?? float.MaxValue;
         }
 
-        (Varying, _phases) = ([.. varying], [.. phases]);
+        (Varying, _phases, _flakes) = ([.. varying], [.. phases], [.. flakes]);
     }
 
     /// <summary>Those whose density varies, with their numbers.</summary>
@@ -73,8 +80,23 @@ internal sealed unsafe class MediumTable
     /// <summary>True where some send light.</summary>
     public bool Shine => EvenShine || Array.Exists(Varying, m => m.Medium.Emits);
 
+    /// <summary>True where some weaken light of one direction more than that of another.</summary>
+    public bool HasFlakes => _flakes.Length > 0;
+
     /// <summary>Extinction coefficients of the innermost media; 0 where they vary.</summary>
-    public RgbW Extinction(UIntW stack) => Color(_numbers.Pointer, stack);
+    /// <param name="stack">The stack.</param>
+    /// <param name="direction">Unit directions of the rays; used only where some media are of <see cref="Microflakes"/>.</param>
+    public RgbW Extinction(UIntW stack, in Vec3W direction)
+    {
+        RgbW extinction = Color(_numbers.Pointer, stack);
+        foreach ((uint number, Microflakes flakes) in _flakes)
+        {
+            MaskW here = UIntW.Equal(MediumStack.Innermost(stack), number);
+            extinction = here.Any ? extinction * here.Select(flakes.Area(default, direction), 1f) : extinction;
+        }
+
+        return extinction;
+    }
 
     /// <summary>The light that the innermost media send for each unit of length; 0 where they vary.</summary>
     public RgbW Emission(UIntW stack) => Color(_emission.Pointer, stack);
@@ -112,7 +134,7 @@ internal sealed unsafe class MediumTable
     /// </summary>
     public FloatW MeanExtinction(UIntW stack)
     {
-        RgbW extinction = Extinction(stack);
+        RgbW extinction = Color(_numbers.Pointer, stack);
         return ScattersAny(stack).Select((extinction.R + extinction.G + extinction.B) * (1f / 3f), 0f);
     }
 
@@ -124,8 +146,21 @@ internal sealed unsafe class MediumTable
     /// <summary>The fraction of the light that the innermost media scatter by an angle, per steradian, which is also its density (<see cref="PhaseFunction"/>).</summary>
     /// <param name="stack">The stack.</param>
     /// <param name="point">Where.</param>
-    /// <param name="cosine">Cosine of the angle between the directions of travel before and after.</param>
-    public FloatW Phase(UIntW stack, in Vec3W point, FloatW cosine)
+    /// <param name="before">Unit directions of travel before.</param>
+    /// <param name="after">Unit directions of travel afterwards.</param>
+    public FloatW Phase(UIntW stack, in Vec3W point, in Vec3W before, in Vec3W after)
+    {
+        FloatW fraction = ByAngle(stack, point, Vec3W.Dot(before, after));
+        foreach ((uint number, Microflakes flakes) in _flakes)
+        {
+            MaskW here = UIntW.Equal(MediumStack.Innermost(stack), number);
+            fraction = here.Any ? here.Select(flakes.Evaluate(point, before, after), fraction) : fraction;
+        }
+
+        return fraction;
+    }
+
+    private FloatW ByAngle(UIntW stack, in Vec3W point, FloatW cosine)
     {
         FloatW fraction = HenyeyGreenstein.Evaluate(cosine, Anisotropy(stack));
         foreach ((uint number, PhaseFunction phase) in _phases)
@@ -142,18 +177,30 @@ internal sealed unsafe class MediumTable
     /// <param name="point">Where.</param>
     /// <param name="before">Unit directions of travel before.</param>
     /// <param name="samples">Random numbers of the vertex.</param>
-    /// <param name="cosine">Cosine of the angle between both.</param>
-    public Vec3W Scatter(UIntW stack, in Vec3W point, in Vec3W before, VertexSamples samples, out FloatW cosine)
+    /// <param name="pdf">That density.</param>
+    public Vec3W Scatter(UIntW stack, in Vec3W point, in Vec3W before, VertexSamples samples, out FloatW pdf)
     {
         samples.Direction(out FloatW u, out FloatW v);
-        cosine = HenyeyGreenstein.Cosine(Anisotropy(stack), u);
+        FloatW cosine = HenyeyGreenstein.Cosine(Anisotropy(stack), u);
         foreach ((uint number, PhaseFunction phase) in _phases)
         {
             MaskW here = UIntW.Equal(MediumStack.Innermost(stack), number);
             cosine = here.Any ? here.Select(phase.Cosine(point, samples.Choice(), u), cosine) : cosine;
         }
 
-        return PhaseFunction.Turned(before, cosine, v);
+        Vec3W after = PhaseFunction.Turned(before, cosine, v);
+        pdf = ByAngle(stack, point, cosine);
+        foreach ((uint number, Microflakes flakes) in _flakes)
+        {
+            MaskW here = UIntW.Equal(MediumStack.Innermost(stack), number);
+            if (here.Any)
+            {
+                after = here.Select(flakes.Scatter(point, before, u, v), after);
+                pdf = here.Select(flakes.Evaluate(point, before, after), pdf);
+            }
+        }
+
+        return after;
     }
 
     /// <summary>The fraction of the light that is left after a distance (Beer 1852).</summary>

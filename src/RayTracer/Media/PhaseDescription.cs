@@ -16,6 +16,9 @@ public enum PhaseShape
 
     /// <summary>A mixture of two.</summary>
     Mix,
+
+    /// <summary>That of tiny mirrors whose normals are those of an ellipsoid: no curve of the angle alone.</summary>
+    Sggx,
 }
 
 /// <summary>Describes over which directions a medium spreads the light that it scatters.</summary>
@@ -28,7 +31,8 @@ public sealed record PhaseDescription
     public const int LongestTable = 65536;
 
     /// <summary>The curve.</summary>
-    [Parameter("The curve: henyeyGreenstein, by anisotropy; rayleigh, as in clear air; table, by values; mix, of first and second.")]
+    [Parameter("The curve: henyeyGreenstein, by anisotropy; rayleigh, as in clear air; table, by values; mix, of first and second; sggx, that of tiny mirrors in some order, by matrix, which "
+        + "also says by how much the medium weakens light of each direction.")]
     public PhaseShape Shape { get; init; }
 
     /// <summary>Mean cosine of the angle of scattering.</summary>
@@ -57,6 +61,15 @@ public sealed record PhaseDescription
     [Parameter("Only for mix: numbers by which the weight is multiplied, from a file, so that the mixture depends on the place.")]
     public GridDescription? WeightGrid { get; init; }
 
+    /// <summary>xx, yy, zz, xy, xz and yz of the symmetric matrix of flakes.</summary>
+    [Parameter("Only for sggx: xx, yy, zz, xy, xz and yz of a symmetric matrix S (Heitz et al. 2015). The extinction is multiplied by √(ωᵀSω) along a direction ω, and light is mirrored by flakes whose "
+        + "normals are those of the ellipsoid. Of a unit vector n, S = r² + (1 − r²)·nnᵀ makes sheets with the normal n, and S = 1 − (1 − r²)·nnᵀ fibres along n, of the roughness r.")]
+    public IReadOnlyList<float> Matrix { get; init; } = [];
+
+    /// <summary>The matrices at the points of a grid; null for the same one everywhere.</summary>
+    [Parameter("Only for sggx: such matrices in space, from a file, instead of matrix; only where the density varies. Beyond its box, the outermost ones count.")]
+    public GridDescription? MatrixGrid { get; init; }
+
     /// <summary>Says why mixtures cannot be nested deeper.</summary>
     internal static string DepthComplaint => $"mixtures of phase functions may be nested {Deepest} deep";
 
@@ -65,7 +78,7 @@ public sealed record PhaseDescription
         : Values.All(v => v == 0) ? "of the values, one must be above 0"
         : null;
 
-    /// <summary>Makes the phase function; null after an error.</summary>
+    /// <summary>Makes the phase function; null after an error, and where it is not of the angle alone.</summary>
     internal PhaseFunction? Build(SceneBuilder builder, int depth = 0)
     {
         if (Complaint(depth) is { } complaint)
@@ -79,8 +92,50 @@ public sealed record PhaseDescription
             PhaseShape.Rayleigh => new RayleighPhase(),
             PhaseShape.Table => new TablePhase(Values),
             PhaseShape.Mix => Mixed(builder, depth),
+            PhaseShape.Sggx => null,
             _ => new HenyeyGreenstein(Anisotropy),
         };
+    }
+
+    /// <summary>Makes the flakes; null where it has none, and after an error.</summary>
+    internal Microflakes? Flakes(SceneBuilder builder, bool mayVary)
+    {
+        if (Shape != PhaseShape.Sggx || Complaint(0) is not null)
+        {
+            return null;
+        }
+
+        if (MatrixGrid is null)
+        {
+            return Say(builder, nameof(Matrix), Microflakes.Complaint([.. Matrix])) ? null : new([.. Matrix]);
+        }
+
+        if (MatrixGrid.Build(builder, ofMatrices: true) is not { } grid)
+        {
+            return null;
+        }
+
+        ReadOnlySpan<float> values = grid.Grid.Values;
+        string? complaint = null;
+        bool varies = false;
+        for (int i = 0; i < values.Length && complaint is null; i += 6)
+        {
+            complaint = Microflakes.Complaint(values.Slice(i, 6));
+            varies |= !values.Slice(i, 6).SequenceEqual(values[..6]);
+        }
+
+        complaint ??= varies && !mayVary ? "the matrix varies only where the density does: add \"density\", \"noise\" or \"cloud\"" : null;
+        return Say(builder, nameof(MatrixGrid), complaint) ? null : varies ? new(grid) : new([.. values[..6]]);
+    }
+
+    private bool Say(SceneBuilder builder, string property, string? complaint)
+    {
+        if (complaint is not null)
+        {
+            builder.Error(this, property, complaint);
+        }
+
+        return complaint is not null;
     }
 
     private MixedPhase? Mixed(SceneBuilder builder, int depth)
@@ -102,6 +157,10 @@ public sealed record PhaseDescription
         : Shape != PhaseShape.Mix && (First ?? Second) is not null ? (First is null ? nameof(Second) : nameof(First), "only the shape \"mix\" has parts")
         : Shape != PhaseShape.Mix && WeightGrid is not null ? (nameof(WeightGrid), "only the shape \"mix\" has a weight")
         : Shape != PhaseShape.HenyeyGreenstein && Anisotropy != 0 ? (nameof(Anisotropy), "only the shape \"henyeyGreenstein\" has an anisotropy")
+        : Shape != PhaseShape.Sggx && (Matrix.Count > 0 || MatrixGrid is not null) ? (Matrix.Count > 0 ? nameof(Matrix) : nameof(MatrixGrid), "only the shape \"sggx\" has a matrix")
+        : Shape == PhaseShape.Sggx && depth > 0 ? (nameof(Shape), "\"sggx\" cannot be part of a mixture: it also says how much light the medium weakens")
+        : Shape == PhaseShape.Sggx && Matrix.Count > 0 == MatrixGrid is not null ? (nameof(Shape), "\"sggx\" needs either \"matrix\" or \"matrixGrid\"")
+        : Shape == PhaseShape.Sggx && Matrix.Count is not (0 or 6) ? (nameof(Matrix), $"a symmetric matrix has 6 numbers, xx, yy, zz, xy, xz and yz, not {Matrix.Count}")
         : Shape == PhaseShape.Table && TableComplaint is { } complaint ? (nameof(Values), complaint)
         : null;
 }

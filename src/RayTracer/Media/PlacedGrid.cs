@@ -28,14 +28,26 @@ internal sealed unsafe class PlacedGrid(VolumeGrid grid, Transform place, GridIn
     /// <summary>The numbers at points; all three are the same where the grid has one channel.</summary>
     /// <param name="at">The points, in voxels.</param>
     /// <param name="value">The numbers.</param>
-    public void Value(in Vec3W at, out RgbW value)
+    public void Value(in Vec3W at, out RgbW value) => Value(at, _values, out value);
+
+    /// <summary>The numbers of symmetric matrices at points, of a grid that has six channels.</summary>
+    /// <param name="at">The points, in voxels.</param>
+    /// <param name="diagonal">xx, yy and zz.</param>
+    /// <param name="beside">xy, xz and yz.</param>
+    public void Matrix(in Vec3W at, out RgbW diagonal, out RgbW beside)
+    {
+        Value(at, _values, out diagonal);
+        Value(at, _values + 3, out beside);
+    }
+
+    private void Value(in Vec3W at, float* values, out RgbW value)
     {
         if (interpolation == GridInterpolation.Nearest)
         {
             UIntW point = Row(FloatW.Floor(at.Z), grid.Depth, (uint)(grid.Width * grid.Height * _stride))
                 + Row(FloatW.Floor(at.Y), grid.Height, (uint)(grid.Width * _stride)) + Row(FloatW.Floor(at.X), grid.Width, (uint)_stride);
-            FloatW first = FloatW.Gather(_values, point);
-            value = _stride == 1 ? new(first, first, first) : new(first, FloatW.Gather(_values + 1, point), FloatW.Gather(_values + 2, point));
+            FloatW first = FloatW.Gather(values, point);
+            value = _stride == 1 ? new(first, first, first) : new(first, FloatW.Gather(values + 1, point), FloatW.Gather(values + 2, point));
             return;
         }
 
@@ -46,12 +58,12 @@ internal sealed unsafe class PlacedGrid(VolumeGrid grid, Transform place, GridIn
         UIntW b = y1 + z0;
         UIntW c = y0 + z1;
         UIntW d = y1 + z1;
-        FloatW Mixed(float* values) => Mix(
-            Mix(Line(values, a + x0, a + x1, x), Line(values, b + x0, b + x1, x), y),
-            Mix(Line(values, c + x0, c + x1, x), Line(values, d + x0, d + x1, x), y),
+        FloatW Mixed(float* of) => Mix(
+            Mix(Line(of, a + x0, a + x1, x), Line(of, b + x0, b + x1, x), y),
+            Mix(Line(of, c + x0, c + x1, x), Line(of, d + x0, d + x1, x), y),
             z);
-        FloatW one = Mixed(_values);
-        value = _stride == 1 ? new(one, one, one) : new(one, Mixed(_values + 1), Mixed(_values + 2));
+        FloatW one = Mixed(values);
+        value = _stride == 1 ? new(one, one, one) : new(one, Mixed(values + 1), Mixed(values + 2));
     }
 
     /// <summary>The least and the most that a channel comes to in a block of voxels, or a little beside it.</summary>

@@ -19,6 +19,8 @@ internal sealed unsafe class VaryingMedium
     private readonly PinnedBuffer<float> _most;
     private readonly PinnedBuffer<float> _least;
     private readonly PlacedGrid? _lights;
+    private readonly Microflakes? _flakes;
+    private readonly AffineW _fromVoxels;
     private readonly AffineW _toAlbedos;
     private readonly AffineW _toLights;
     private readonly Rgb _extinction;
@@ -33,10 +35,11 @@ internal sealed unsafe class VaryingMedium
     /// <param name="albedo">The part of the extinction that is scattered.</param>
     /// <param name="emission">The light sent for each unit of length, where the density is 1.</param>
     /// <param name="lights">Factors on that instead of the density; null for none.</param>
-    public VaryingMedium(PlacedGrid density, PlacedGrid? albedos, Rgb extinction, Rgb albedo, Rgb emission = default, PlacedGrid? lights = null)
+    /// <param name="flakes">The flakes that it consists of; null for none.</param>
+    public VaryingMedium(PlacedGrid density, PlacedGrid? albedos, Rgb extinction, Rgb albedo, Rgb emission = default, PlacedGrid? lights = null, Microflakes? flakes = null)
     {
         (_density, _albedos, _extinction, _albedo) = (density, albedos, extinction, albedo);
-        (_emission, _lights) = (emission, lights);
+        (_emission, _lights, _flakes, _fromVoxels) = (emission, lights, flakes, new(density.FromVoxels));
         VolumeGrid grid = density.Grid;
         Size = (grid.Width, grid.Height, grid.Depth);
         Largest = float.Max(extinction.R, float.Max(extinction.G, extinction.B));
@@ -79,23 +82,44 @@ internal sealed unsafe class VaryingMedium
     /// <summary>True where it sends light itself.</summary>
     public bool Emits => !_emission.IsBlack;
 
+    /// <summary>Its temperatures, which colour what it sends; null for none.</summary>
+    public MediumHeat? Heat { get; init; }
+
     /// <summary>The map from the world to voxels.</summary>
     public AffineW ToVoxels { get; }
 
-    /// <summary>The most extinction of any channel in each cell, per scene unit.</summary>
+    /// <summary>The most extinction of any channel in each cell, per scene unit; times <see cref="LargestArea"/>.</summary>
     public float* Most => _most.Pointer;
 
-    /// <summary>The least extinction in each cell, of the largest channel; 0 where channels have densities of their own.</summary>
+    /// <summary>The least extinction in each cell, of the largest channel; 0 where channels have densities of their own, or flakes depend on the place. Times <see cref="LargestArea"/>.</summary>
     public float* Least => _least.Pointer;
 
     /// <summary>Extinction over its largest channel, where channels have no densities of their own.</summary>
     public Rgb Share => Largest > 0 ? _extinction * (1 / Largest) : Rgb.White;
 
-    /// <summary>The extinction at points in voxels.</summary>
-    public void Extinction(in Vec3W at, out RgbW extinction)
+    /// <summary>A factor on the most and the least extinction, along directions in voxels.</summary>
+    public FloatW LargestArea(in Vec3W along)
+    {
+        if (_flakes is null)
+        {
+            return 1f;
+        }
+
+        _fromVoxels.Vector(along, out Vec3W direction);
+        return _flakes.LargestArea(direction);
+    }
+
+    /// <summary>The extinction at points in voxels, along directions in voxels.</summary>
+    public void Extinction(in Vec3W at, in Vec3W along, out RgbW extinction)
     {
         _density.Value(at, out extinction);
         extinction *= _extinction;
+        if (_flakes is not null)
+        {
+            _fromVoxels.Point(at, out Vec3W point);
+            _fromVoxels.Vector(along, out Vec3W direction);
+            extinction *= _flakes.Area(point, direction);
+        }
     }
 
     /// <summary>The albedo at points in voxels of the density.</summary>
@@ -124,6 +148,10 @@ internal sealed unsafe class VaryingMedium
         }
 
         emission *= _emission;
+        if (Heat is not null)
+        {
+            emission *= Heat.Color(at);
+        }
     }
 
     private void FillCells(int z)
@@ -141,7 +169,7 @@ internal sealed unsafe class VaryingMedium
                     (float least, float most) = _density.Range(channel, Voxels(x, Size.X), Voxels(y, Size.Y), Voxels(z, Size.Z));
                     float factor = _density.Grid.Channels == 1 ? Largest : channel == 0 ? r : channel == 1 ? g : b;
                     _most.Pointer[cell] = float.Max(_most.Pointer[cell], most * factor);
-                    _least.Pointer[cell] = _density.Grid.Channels == 1 ? least * factor : 0;
+                    _least.Pointer[cell] = _density.Grid.Channels == 1 && _flakes is not { Vary: true } ? least * factor : 0;
                     shines |= Emits && (_lights is not null || most > 0);
                 }
 

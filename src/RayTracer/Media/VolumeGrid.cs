@@ -3,7 +3,7 @@ using RayTracer.Numerics;
 namespace RayTracer.Media;
 
 /// <summary>
-/// Numbers at the points of a regular grid that fills a box: of one channel, or of red, green and blue. Point i of n along an axis stands at (i + ½)/n of the
+/// Numbers at the points of a regular grid that fills a box: of one channel, of red, green and blue, or of the six of a symmetric matrix. Point i of n along an axis stands at (i + ½)/n of the
 /// box.
 /// </summary>
 public sealed class VolumeGrid
@@ -18,8 +18,8 @@ public sealed class VolumeGrid
     /// <param name="width">Points along x.</param>
     /// <param name="height">Points along y.</param>
     /// <param name="depth">Points along z.</param>
-    /// <param name="channels">1, or 3 for red, green and blue.</param>
-    /// <param name="values">The numbers, at least 0: channel by channel of each point, and points along x first, then y, then z.</param>
+    /// <param name="channels">1; 3 for red, green and blue; or 6 for xx, yy, zz, xy, xz and yz of a symmetric matrix.</param>
+    /// <param name="values">The numbers, at least 0 but for matrices: channel by channel of each point, and points along x first, then y, then z.</param>
     /// <exception cref="ArgumentException">A size out of range, another count of numbers, or a number that is negative or none.</exception>
     public VolumeGrid(int width, int height, int depth, int channels, ReadOnlySpan<float> values)
     {
@@ -36,9 +36,9 @@ public sealed class VolumeGrid
 
         foreach (float value in values)
         {
-            if (!(value >= 0 && value < float.PositiveInfinity))
+            if (!(value < float.PositiveInfinity && value >= (channels == 6 ? float.MinValue : 0)))
             {
-                throw new ArgumentException($"it has the number {value}, but none may be negative or infinite", nameof(values));
+                throw new ArgumentException($"it has the number {value}, but none may be {(channels == 6 ? "" : "negative or ")}infinite", nameof(values));
             }
         }
 
@@ -58,7 +58,7 @@ public sealed class VolumeGrid
     /// <summary>Points along z.</summary>
     public int Depth { get; }
 
-    /// <summary>1, or 3 for red, green and blue.</summary>
+    /// <summary>1, 3 for red, green and blue, or 6 for a symmetric matrix.</summary>
     public int Channels { get; }
 
     /// <summary>The map from the unit cube to the box that the file names; null where it names none.</summary>
@@ -77,7 +77,7 @@ public sealed class VolumeGrid
     {
         bool isPossible = width is >= 1 and <= MostPoints && height is >= 1 and <= MostPoints && depth is >= 1 and <= MostPoints;
         return !isPossible ? $"a grid has from 1 to {MostPoints} points along each axis, not {width}×{height}×{depth}"
-            : channels is not (1 or 3) ? $"a grid has 1 or 3 channels, not {channels}"
+            : channels is not (1 or 3 or 6) ? $"a grid has 1, 3 or 6 channels, not {channels}"
             : width * height * depth * channels > MostNumbers ? $"a grid has at most {MostNumbers:N0} numbers, not {width * height * depth * channels:N0}"
             : null;
     }

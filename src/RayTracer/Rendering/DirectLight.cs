@@ -144,7 +144,7 @@ internal sealed unsafe class DirectLight(Scene scene, ShadowQueue? queue, PathOb
             if (lit.Any)
             {
                 ShadowRays += BitOperations.PopCount(lit.Bits);
-                FloatW phase = scene.Media.Phase(media, point, Vec3W.Dot(incoming, sample.Direction));
+                FloatW phase = scene.Media.Phase(media, point, incoming, sample.Direction);
                 FloatW share = _lights[i].IsDelta ? phase : phase * Weight(1f, phase * sample.InversePdf / probability);
                 clock?.Enter(Stage.Shadow);
                 if (_varies)

@@ -54,7 +54,7 @@ internal sealed unsafe class ShadowFlights
         RgbW share = medium.Share;
         for (MaskW going = flight.Seek(medium, among, aboveBase: true); going.Any; going = flight.Seek(medium, going, aboveBase: true))
         {
-            medium.Extinction(flight.Place(), out RgbW extinction);
+            medium.Extinction(flight.Place(), flight.Direction, out RgbW extinction);
             FloatW inverse = 1f / flight.Rate;
             left *= going.Select(
                 new RgbW(

@@ -82,7 +82,7 @@ internal sealed unsafe class Transmittance(Scene scene)
         RgbW left = new(FloatW.Load(_rays.ThroughputR), FloatW.Load(_rays.ThroughputG), FloatW.Load(_rays.ThroughputB));
         if (scene.HasMedia)
         {
-            RgbW part = MediumTable.Transmittance(scene.Media.Extinction(media), way);
+            RgbW part = MediumTable.Transmittance(scene.Media.Extinction(media, new(FloatW.Load(_rays.DirectionX), FloatW.Load(_rays.DirectionY), FloatW.Load(_rays.DirectionZ))), way);
             left *= part;
             (FloatW.Load(_rays.Passed) * scene.Media.MeanPassing(media, part)).Store(_rays.Passed);
         }

@@ -129,9 +129,9 @@ internal sealed class UnseenParts(Scene scene, SceneDescription description, Sce
 
     private void RefuseVaryingMedia()
     {
-        if (scene.HasMedia && !_integrator.Has(IntegratorTraits.VaryingMedia) && (scene.Media.Varying.Length > 0 || scene.Media.Shine))
+        if (scene.HasMedia && !_integrator.Has(IntegratorTraits.VaryingMedia) && (scene.Media.Varying.Length > 0 || scene.Media.Shine || scene.Media.HasFlakes))
         {
-            string what = scene.Media.Varying.Length > 0 ? "vary in space" : "shine";
+            string what = scene.Media.Varying.Length > 0 ? "vary in space" : scene.Media.Shine ? "shine" : "weaken light by its direction";
             builder.Error(
                 description.Render, nameof(Standard.Integrator), $"there are media that {what}, which {Integrator.Only(IntegratorTraits.VaryingMedia, "show")}: write \"integrator\": {Quotation.Of(Integrator.Path.Name)}");
         }

@@ -135,7 +135,7 @@ internal sealed unsafe class VaryingFlights
     private static MaskW Happen(VaryingMedium medium, ref TrackW track, in MaskW arrived)
     {
         Vec3W place = track.Flight.Place();
-        medium.Extinction(place, out RgbW extinction);
+        medium.Extinction(place, track.Flight.Direction, out RgbW extinction);
         FloatW inverse = 1f / track.Flight.Rate;
         RgbW part = new(FloatW.Min(extinction.R * inverse, 1f), FloatW.Min(extinction.G * inverse, 1f), FloatW.Min(extinction.B * inverse, 1f));
         MaskW hit = MaskW.None;

@@ -40,6 +40,23 @@ internal static class CieTables
         return table[below] + ((place - below) * (table[below + 1] - table[below]));
     }
 
+    /// <summary>
+    /// Linear sRGB (IEC 61966-2-1, section 5.2) of a spectrum, by the sums of CIE 15:2004, section 7.1, over the wavelengths of the tables; 1 everywhere has the luminance 1.
+    /// </summary>
+    /// <param name="spectrum">Its number at the wavelength of each index of the tables.</param>
+    public static (double R, double G, double B) LinearSrgb(Func<int, double> spectrum)
+    {
+        (double x, double y, double z, double all) = (0, 0, 0, 0);
+        for (int i = 0; i < Y.Length; i++)
+        {
+            double value = spectrum(i);
+            (x, y, z, all) = (x + (value * X[i]), y + (value * Y[i]), z + (value * Z[i]), all + Y[i]);
+        }
+
+        (x, y, z) = (x / all, y / all, z / all);
+        return ((3.240479 * x) - (1.537150 * y) - (0.498535 * z), (-0.969256 * x) + (1.875991 * y) + (0.041556 * z), (0.055648 * x) - (0.204043 * y) + (1.057311 * z));
+    }
+
     // Each line of the file has a wavelength and four numbers.
     private static double[][] Columns(string[][] rows) =>
         [.. Enumerable.Range(1, 4).Select(column => Array.ConvertAll(rows, row => double.Parse(row[column], CultureInfo.InvariantCulture)))];

@@ -109,6 +109,14 @@ public class MitsubaMediaTests
         Assert.Null(blend.Second.WeightGrid);
     }
 
+    [Fact]
+    public void Flakes_are_a_grid_of_matrices()
+    {
+        PhaseDescription flakes = Phase("""<phase type="sggx"><volume name="S" type="gridvolume"><string name="filename" value="s.vol"/><string name="filter_type" value="nearest"/></volume></phase>""")!;
+        Assert.Equal((PhaseShape.Sggx, GridInterpolation.Nearest, 0), (flakes.Shape, flakes.MatrixGrid!.Interpolation, flakes.Matrix.Count));
+        Assert.EndsWith("s.vol", flakes.MatrixGrid.File, StringComparison.Ordinal);
+    }
+
     [Theory]
     [InlineData("""<phase type="tabphase"><string name="values" value="1"/></phase>""", "a table has from 2 to 65536 values, not 1")]
     [InlineData("""<phase type="tabphase"><string name="values" value="0, 0"/></phase>""", "of the values, one must be above 0")]
@@ -116,7 +124,9 @@ public class MitsubaMediaTests
     [InlineData("""<phase type="tabphase"><string name="values" value="1, two"/></phase>""", "expected a number, but found \"two\"")]
     [InlineData("""<phase type="blendphase"><phase type="hg"/></phase>""", "phase \"blendphase\" needs 2 phase functions within it, but has 1")]
     [InlineData("""<phase type="blendphase"><rgb name="weight" value="1 0 0"/><phase type="hg"/><phase type="hg"/></phase>""", "a weight is one number, not a colour")]
-    [InlineData("""<phase type="blendphase"><phase type="hg"/><phase type="sggx"/></phase>""", "phase functions of type \"sggx\" are not supported: media have no grain along which they would look different")]
+    [InlineData("""<phase type="sggx"/>""", "phase \"sggx\" needs a \"gridvolume\" of six channels as \"S\"")]
+    [InlineData("""<phase type="sggx"><volume name="S" type="constvolume"><float name="value" value="1"/></volume></phase>""", "phase \"sggx\" needs a \"gridvolume\" of six channels as \"S\"")]
+    [InlineData("""<phase type="blendphase"><phase type="hg"/><phase type="sggx"><volume name="S" type="gridvolume"><string name="filename" value="s.vol"/></volume></phase></phase>""", "\"sggx\" within \"blendphase\" is not supported: it also says how much light the medium weakens")]
     public void Phase_functions_that_are_not_read_are_said(string phase, string message) =>
         Assert.Equal(message, TestScene.Complaint($"""<shape type="cube"><bsdf type="null"/><medium name="interior" type="homogeneous">{phase}</medium></shape>""", Volumetric));
 

@@ -206,6 +206,22 @@ public sealed class PbrtReaderTests : IDisposable
     }
 
     [Fact]
+    public void Grids_of_temperatures_colour_what_a_medium_sends()
+    {
+        const string fire = """
+            MakeNamedMedium "fire" "string type" "uniformgrid" "integer nx" 1 "integer ny" 1 "integer nz" 1 "float density" [1] "float temperature" [12]
+                "rgb sigma_a" [2 1 0] "rgb sigma_s" [1 1 1] "float Lescale" 3 "float temperaturescale" 100 "float temperatureoffset" 2
+            AttributeBegin MediumInterface "fire" "" Material "interface" Shape "sphere" AttributeEnd
+            """;
+        MediumDescription read = ((InvisibleMaterialDescription)PbrtTestScene.Of(fire).Shapes[0].Material).Interior;
+        Assert.Equal((2f, 100f, 27), (read.TemperatureOffset, read.TemperatureScale, read.TemperatureGrid!.Values.Count));
+        Assert.Equal(12, read.TemperatureGrid.Values[13]);
+        Assert.True(Math.Abs(read.Emission.R - 6) < 1e-5 && Math.Abs(read.Emission.G - 3) < 1e-5, $"{read.Emission}");
+        read = ((InvisibleMaterialDescription)PbrtTestScene.Of(fire.Replace("Lescale\" 3", "Lescale\" 0", StringComparison.Ordinal)).Shapes[0].Material).Interior;
+        Assert.Equal((null, 0f, 1f, true), (read.TemperatureGrid, read.TemperatureOffset, read.TemperatureScale, read.Emission.IsBlack));
+    }
+
+    [Fact]
     public void Metal_under_a_coat_has_the_roughness_of_both()
     {
         CoatedConductorMaterialDescription metal = (CoatedConductorMaterialDescription)MaterialOf(

@@ -13,6 +13,7 @@ public class MediumTests
     [InlineData("""{ "type": "invisible", "interior": { "extinction": [3, 3, 3], "albedo": [1, 1, 1], "anisotropy": 0.8 } }""", 1e-4)]
     [InlineData("""{ "type": "invisible", "interior": { "extinction": [1, 0, 3], "albedo": [1, 1, 1], "anisotropy": -0.5 } }""", 1e-4)]
     [InlineData("""{ "type": "invisible", "interior": { "extinction": [1, 2, 3], "albedo": [1, 1, 1], "phase": { "shape": "mix", "weight": 1, "weightGrid": { "size": [2, 1, 1], "values": [0, 1], "box": [[-1, -1, -1], [1, 1, 1]] }, "first": { "shape": "rayleigh" }, "second": { "shape": "table", "values": [1, 0, 0, 4] } } } }""", 1e-4)]
+    [InlineData("""{ "type": "invisible", "interior": { "extinction": [4, 2, 1], "albedo": [1, 1, 1], "phase": { "shape": "sggx", "matrix": [0.9, 0.3, 0.15, 0.2, -0.1, 0.05] } } }""", 1e-4)]
     [InlineData("""{ "type": "dielectric", "refractiveIndex": 1.5, "interior": { "extinction": [2, 1, 0.5], "albedo": [1, 1, 1] } }""", 1e-3)]
     public void What_only_scatters_is_not_seen_in_an_even_light(string material, double tolerance)
     {
@@ -43,6 +44,16 @@ public class MediumTests
         const string inner = """, { "type": "sphere", "center": [0, 0, 0], "radius": 0.25, "material": { "type": "invisible", "interior": { "extinction": [2, 0, 1e-9] } } }""";
         Check(SceneRuns.RenderText(Ball(ball, "[1, 1, 1]", "", fieldOfView: 1e-3), 2), [Math.Exp(-1), Math.Exp(-2), Math.Exp(-0.2)]);
         Check(SceneRuns.RenderText(Ball(ball, "[1, 1, 1]", inner, fieldOfView: 1e-3), 2), [Math.Exp(-0.75 - 1), Math.Exp(-1.5), Math.Exp(-0.15)]);
+    }
+
+    [Fact]
+    public void Flakes_let_through_what_Beers_law_says_of_how_large_they_look()
+    {
+        // Along z, half as large as along x.
+        const string ball = """{ "type": "invisible", "interior": { "extinction": [0.5, 1, 0.1], "phase": { "shape": "sggx", "matrix": [1, 0.5, 0.25, 0, 0, 0.1] } } }""";
+        Check(SceneRuns.RenderText(Ball(ball, "[1, 1, 1]", "", fieldOfView: 1e-3), 2), [Math.Exp(-0.5), Math.Exp(-1), Math.Exp(-0.1)]);
+        string aside = Ball(ball, "[1, 1, 1]", "", fieldOfView: 1e-3).Replace("\"position\": [0, 0, 4]", "\"position\": [4, 0, 0]", StringComparison.Ordinal);
+        Check(SceneRuns.RenderText(aside, 2), [Math.Exp(-1), Math.Exp(-2), Math.Exp(-0.2)]);
     }
 
     [Theory]
@@ -103,10 +114,11 @@ public class MediumTests
     [InlineData("\"phase\": { \"shape\": \"rayleigh\" }", 0.75)]
     [InlineData("\"phase\": { \"shape\": \"table\", \"values\": [1, 2, 6] }", 2 / 2.75)]
     [InlineData("\"phase\": { \"shape\": \"mix\", \"weight\": 0.2, \"first\": { \"shape\": \"rayleigh\" }, \"second\": { \"anisotropy\": 0.7 } }", (0.8 * 0.75) + (0.2 * 0.2804082))]
+    [InlineData("\"phase\": { \"shape\": \"sggx\", \"matrix\": [1, 0.0625, 1, 0, 0, 0] }", 4)]
     public void A_thin_cloud_scatters_once_as_the_phase_function_says(string scattering, double beside)
     {
         // Light along +x meets a thin ball; seen along -z, the light that is scattered by a right angle: extinction · albedo · way · phase(0) · irradiance. Of Henyey and Greenstein's,
-        // that is (1 - g²)/(1 + g²)^1.5 of what is scattered evenly.
+        // that is (1 - g²)/(1 + g²)^1.5 of what is scattered evenly. Fibres along y of the roughness r look as large from all sides beside, and have all their mirrors around: 1/r of it.
         string scene = $$"""
             { "camera": { "position": [0, 0, 5], "lookAt": [0, 0, 0], "fieldOfView": 0.01 },
               "render": { "width": 4, "height": 4, "samplesPerPixel": 256, "integrator": "volPath", "maxDepth": 2 },

@@ -14,6 +14,7 @@ public class VolumeFileTests
     [Theory]
     [InlineData(1)]
     [InlineData(3)]
+    [InlineData(6)]
     public void Vol_files_have_their_numbers_in_their_order(int channels)
     {
         byte[] file = TestVolumes.Vol(3, 4, 5, (x, y, z) => [.. Enumerable.Range(0, channels).Select(c => x + (10f * y) + (100 * z) + (1000 * c))]);
@@ -71,7 +72,7 @@ public class VolumeFileTests
         Refused("it is not one of Mitsuba's .vol files: it does not begin with VOL and a header", vol[..40], GridFormat.Vol);
         Refused("it is of version 2 of the format, but only 3 is read", With(vol, 3, 2), GridFormat.Vol);
         Refused("its numbers are of kind 3, but only floats (1) are read", With(vol, 4, 3), GridFormat.Vol);
-        Refused("a grid has 1 or 3 channels, not 6", With(vol, 20, 6), GridFormat.Vol);
+        Refused("a grid has 1, 3 or 6 channels, not 5", With(vol, 20, 5), GridFormat.Vol);
         Refused("a grid has from 1 to 4096 points along each axis, not 0×2×2", With(vol, 8, 0), GridFormat.Vol);
         Refused("2×2×9 points with 1 channels need 144 bytes, but 32 follow the header", With(vol, 16, 9), GridFormat.Vol);
         Refused("it has the number -1, but none may be negative or infinite", TestVolumes.Vol(2, 2, 2, (_, _, _) => [-1]), GridFormat.Vol);

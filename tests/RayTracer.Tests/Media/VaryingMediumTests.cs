@@ -42,7 +42,7 @@ public unsafe class VaryingMediumTests
             Vector3 at = new(random.NextSingle() * 70, random.NextSingle() * 9, random.NextSingle() * 33);
             at = i % 2 == 0 ? at : new Vector3(float.Round(at.X / 2) * 2, float.Round(at.Y / 2) * 2, float.Round(at.Z / 2) * 2) + new Vector3((random.NextSingle() - 0.5f) * 0.01f);
             at = Vector3.Clamp(at, Vector3.Zero, new(69.99f, 8.99f, 32.99f));
-            medium.Extinction(at, out RgbW extinction);
+            medium.Extinction(at, default, out RgbW extinction);
             int cell = (int)(at.X / 2) + (medium.CellCounts.X * ((int)(at.Y / 2) + (medium.CellCounts.Y * (int)(at.Z / 2))));
             float largest = float.Max(extinction.R[0], float.Max(extinction.G[0], extinction.B[0]));
             Assert.True(largest <= medium.Most[cell] * 1.000001f, $"{largest} at {at}, majorant {medium.Most[cell]}");

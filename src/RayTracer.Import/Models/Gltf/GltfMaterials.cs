@@ -105,8 +105,30 @@ internal sealed class GltfMaterials(GltfDocument document, GltfTextures textures
             };
         }
 
+        opaque = material.Extension("KHR_materials_iridescence") is { } film ? Shimmering(opaque, film, surface) : opaque;
         opaque = material.Extension("KHR_materials_anisotropy") is { } anisotropy ? Stretched(opaque, anisotropy) : opaque;
         return material.Extension("KHR_materials_sheen") is { } sheen ? WithSheen(opaque, sheen) : opaque;
+    }
+
+    // The film is as thick as the texture says, between two thicknesses; without one, as the larger.
+    private PrincipledMaterialDescription Shimmering(PrincipledMaterialDescription opaque, GltfObject film, GltfSurface surface)
+    {
+        float thickest = film.Number("iridescenceThicknessMaximum", 400, 0);
+        float index = film.Number("iridescenceIor", 1.3f, 1);
+        GltfTextureUse? thickness = GltfTextureUse.Of(document, film, "iridescenceThicknessTexture");
+        document.Notes.AddIf(index > 10 || thickest > 1e5f, "the index and the thickness of a film are limited to 10 and 0.1 mm");
+        SolidTextureDescription most = Number(float.Min(thickest, 1e5f));
+        return opaque with
+        {
+            Iridescence = textures.Number(film.Fraction("iridescenceFactor", 0), GltfTextureUse.Of(document, film, "iridescenceTexture"), GltfChannel.Red, surface.UvSet),
+            FilmIndex = float.Min(index, 10),
+            FilmThickness = thickness is null ? most : new MixTextureDescription
+            {
+                First = Number(float.Min(film.Number("iridescenceThicknessMinimum", 100, 0), 1e5f)),
+                Second = most,
+                Weight = textures.Number(1, thickness, GltfChannel.Green, surface.UvSet),
+            },
+        };
     }
 
     // Along the tangent α grows from r² towards 1 with the strength's square. Here the two are r²/a and r²·a, with a² = 1 − 0.9 of what
@@ -162,6 +184,7 @@ internal sealed class GltfMaterials(GltfDocument document, GltfTextures textures
         }
 
         document.Notes.AddIf(!isClear, "a rough transparent wall is shown as clear");
+        document.Notes.AddIf(material.Extension("KHR_materials_iridescence") is not null, "the iridescence of clear glass is ignored");
 
         MaterialDescription glass = isThin
             ? new ThinDielectricMaterialDescription { RefractiveIndex = surface.RefractiveIndex, SpecularTransmittance = surface.Color }

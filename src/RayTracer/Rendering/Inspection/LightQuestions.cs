@@ -78,7 +78,7 @@ internal sealed unsafe class LightQuestions(Scene scene)
         (Vec3W place, UIntW stack) = (point, media);
         List<LightQuestion>[] asked = Sample(point, default, time, 1, (int light, in ShapeSampleW sample, in RgbW radiance, MaskW lanes, List<LightQuestion>[] lists) =>
         {
-            FloatW phase = scene.Media.Phase(stack, place, Vec3W.Dot(arriving, sample.Direction));
+            FloatW phase = scene.Media.Phase(stack, place, arriving, sample.Direction);
             Add(light, sample, radiance, new(phase, phase, phase), 1f, phase, sample.InversePdf <= 0f, MaskW.None, MaskW.None, lanes, lists);
         });
         return Placed(asked, point, default, 0f, false, time);

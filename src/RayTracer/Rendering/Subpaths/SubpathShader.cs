@@ -40,7 +40,8 @@ internal abstract unsafe class SubpathShader(ShaderContext context) : InteriorSh
         for (int i = 0; Scene.HasMedia && i < stream.Count; i += FloatW.Count)
         {
             UIntW media = MaskW.First(stream.Count - i).Select(UIntW.Load(stream.Media + i), 0u);
-            RgbW left = MediumTable.Transmittance(Scene.Media.Extinction(media), FloatW.Load(stream.Distance + i));
+            Vec3W direction = new(FloatW.Load(stream.DirectionX + i), FloatW.Load(stream.DirectionY + i), FloatW.Load(stream.DirectionZ + i));
+            RgbW left = MediumTable.Transmittance(Scene.Media.Extinction(media, direction), FloatW.Load(stream.Distance + i));
             FloatW before = (FloatW.Load(stream.Travelled + i) > 0f).Select(FloatW.Load(stream.Passed + i), 1f);
             (before * Scene.Media.MeanPassing(media, left)).Store(stream.Passed + i);
         }

@@ -117,6 +117,16 @@ public class GltfMaterialTests
     }
 
     [Fact]
+    public void Thin_films_are_those_of_principled()
+    {
+        PrincipledMaterialDescription surface = Principled("""{ "extensions": { "KHR_materials_iridescence": { "iridescenceFactor": 0.7, "iridescenceIor": 1.8, "iridescenceThicknessMaximum": 550 } } }""");
+        Assert.Equal((0.7f, 1.8f, 550f), (Value(surface.Iridescence), surface.FilmIndex, Value(surface.FilmThickness)));
+        surface = Principled("""{ "extensions": { "KHR_materials_iridescence": { "iridescenceFactor": 1 } } }""");
+        Assert.Equal((1f, 1.3f, 400f), (Value(surface.Iridescence), surface.FilmIndex, Value(surface.FilmThickness)));
+        Assert.Equal(0, Value(Principled("""{ "extensions": { "KHR_materials_iridescence": {} } }""").Iridescence));
+    }
+
+    [Fact]
     public void Coats_and_sheen_are_those_of_principled()
     {
         PrincipledMaterialDescription surface = Principled("""
@@ -155,7 +165,9 @@ public class GltfMaterialTests
     [Theory]
     [InlineData("""{ "extensions": { "KHR_materials_unlit": {} } }""", "unlit")]
     [InlineData("""{ "occlusionTexture": { "index": 0 } }""", "occlusion map")]
-    [InlineData("""{ "extensions": { "KHR_materials_iridescence": {} } }""", "\"KHR_materials_iridescence\"")]
+    [InlineData("""{ "extensions": { "KHR_materials_wax": {} } }""", "\"KHR_materials_wax\"")]
+    [InlineData("""{ "extensions": { "KHR_materials_iridescence": { "iridescenceIor": 11 } } }""", "the index and the thickness of a film are limited")]
+    [InlineData("""{ "pbrMetallicRoughness": { "metallicFactor": 0, "roughnessFactor": 0 }, "extensions": { "KHR_materials_transmission": { "transmissionFactor": 1 }, "KHR_materials_iridescence": {} } }""", "the iridescence of clear glass is ignored")]
     [InlineData("""{ "extensions": { "KHR_materials_specular": { "specularColorFactor": [1, 0.5, 0.5] } } }""", "colour of a dielectric's reflection")]
     [InlineData("""{ "pbrMetallicRoughness": { "metallicFactor": 0 }, "extensions": { "KHR_materials_transmission": { "transmissionFactor": 1 } } }""", "rough transparent wall")]
     [InlineData("""{ "extensions": { "KHR_materials_anisotropy": { "anisotropyRotation": 1 } } }""", "rotation of KHR_materials_anisotropy")]
