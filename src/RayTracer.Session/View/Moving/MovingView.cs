@@ -22,12 +22,14 @@ internal sealed unsafe class MovingView
     private const float DarkestAlbedo = 0.04f;
     private static readonly int[] s_steps = [1, 2, 4];
     private readonly MovingThings _things = new();
+    private readonly LightLayers _lights = new();
     private MovingHistory[] _histories = [];
     private MovingPlanes[] _planes = [];
     private Film? _film;
     private MovingCamera? _camera;
     private MovingCamera? _before;
     private MovingHistory _now = null!;
+    private object? _factors;
     private int _pictures;
 
     /// <summary>Processor time of the last picture's parts, for measurements: tracing and filter.</summary>
@@ -70,8 +72,10 @@ internal sealed unsafe class MovingView
         }
 
         TimeSpan traced = Environment.CpuUsage.TotalTime;
-        MovingPlanes light = Filter(wanted, change == SceneChange.Edited ? AfterEdit : float.PositiveInfinity);
-        Write(light, to);
+        bool isOtherLight = change == SceneChange.Edited || !ReferenceEquals(_factors, wanted.Settings.LightFactors);
+        _factors = wanted.Settings.LightFactors;
+        Mix(wanted, to);
+        Write(Filter(wanted, to, isOtherLight ? AfterEdit : float.PositiveInfinity), to);
         _pictures++;
         Cost = (traced - start, Environment.CpuUsage.TotalTime - traced);
         return true;
@@ -100,7 +104,8 @@ internal sealed unsafe class MovingView
     {
         RenderDescription render = wanted.Scene.Render with { Width = width, Height = height, SamplesPerPixel = Samples, Splitting = 1, Integrator = Traced(wanted.Scene.Render) };
         Scene scene = wanted.Scene.WithView(wanted.Camera, render, new((_, _) => new(1, 1))) ?? throw new InvalidOperationException("The moving view cannot be rendered.");
-        RenderOptions options = new() { Threads = wanted.Settings.Threads, Samples = new(sample, sample + 1) };
+        _lights.Begin(wanted with { Scene = scene }, _film!);
+        RenderOptions options = new() { Threads = wanted.Settings.Threads, Samples = new(sample, sample + 1), Layers = _lights.Film };
         if (new RTracer(scene, options).Render(_film!, null, cancellation).Cancelled)
         {
             return false;
@@ -118,11 +123,19 @@ internal sealed unsafe class MovingView
     private static MovingCamera? CameraOf(ViewportScene wanted, int width, int height) =>
         wanted.Camera.Projection.IsStraight && !wanted.Scene.Camera.IsPlaced ? new(CameraFrame.Of(wanted), width, height) : null;
 
-    private MovingPlanes Filter(ViewportScene wanted, float most)
+    // The light of the samples, as the factors on lights make it.
+    private void Mix(ViewportScene wanted, LinearPicture to)
+    {
+        to.Resize(_film!.Width, _film.Height);
+        MovingRows.ForEach(to.Height, wanted.Settings.Threads, y => _film.ReadRow(y, to.Row(y)));
+        _lights.Paint(wanted, to);
+    }
+
+    private MovingPlanes Filter(ViewportScene wanted, LinearPicture mixed, float most)
     {
         int threads = wanted.Settings.Threads;
         (MovingPlanes light, MovingPlanes other) = (_planes[0], _planes[1]);
-        MovingRows.ForEach(light.Rows.Height, threads, y => Divide(wanted, light, y));
+        MovingRows.ForEach(light.Rows.Height, threads, y => Divide(wanted, light, mixed.Row(y), y));
         MovingHistory before = _histories[(_pictures + 1) % 2];
         EarlierPlace where = new(_before, _camera, _things.Moves());
         MovingRows.ForEach((light.Rows.Height + MovingHistory.Square - 1) / MovingHistory.Square, threads, square => _now.Mix(before, light, where, square, most));
@@ -140,14 +153,13 @@ internal sealed unsafe class MovingView
     }
 
     // Light without the colours of the things, and what the filter goes by.
-    private void Divide(ViewportScene wanted, MovingPlanes light, int y)
+    private void Divide(ViewportScene wanted, MovingPlanes light, ReadOnlySpan<float> mixed, int y)
     {
         MovingGuides guides = _now.Guides;
         (SeenPlanes seen, int start) = (guides.Seen, light.Rows.At(0, y));
         for ((int x, int at) = (0, start); x < light.Rows.Width; x++, at++)
         {
-            Rgb mean = _film!.Mean(x, y);
-            (light.Red[at], light.Green[at], light.Blue[at]) = (mean.R, mean.G, mean.B);
+            (light.Red[at], light.Green[at], light.Blue[at]) = (mixed[3 * x], mixed[(3 * x) + 1], mixed[(3 * x) + 2]);
             guides.Things[at] = (uint)_things.Of(wanted, seen.Surface[at]);
         }
 
@@ -162,7 +174,6 @@ internal sealed unsafe class MovingView
     private void Write(MovingPlanes light, LinearPicture to)
     {
         PaddedRows rows = light.Rows;
-        to.Resize(rows.Width, rows.Height);
         float* own = stackalloc float[3 * FloatW.Count];
         for (int y = 0; y < rows.Height; y++)
         {
