@@ -27,10 +27,10 @@ internal static class DocumentEndpoints
     internal static T Needed<T>(T? value, string name)
         where T : class => value ?? throw new SessionException($"the request needs \"{name}\"");
 
-    /// <summary>A list of texts that a request must have, each of them.</summary>
+    /// <summary>A list that a request must have, each of its elements.</summary>
     /// <exception cref="SessionException">It has not.</exception>
-    internal static string[] Needed(string?[]? values, string name) =>
-        values is null || values.Contains(null) ? throw new SessionException($"the request needs \"{name}\", a list of texts") : [.. values.OfType<string>()];
+    internal static T[] Needed<T>(T?[]? values, string name)
+        where T : class => values is null || values.Contains(null) ? throw new SessionException($"the request needs \"{name}\", a list without null") : [.. values.OfType<T>()];
 
     private static void MapReading(RouteGroupBuilder api, StudioSession session)
     {
@@ -55,7 +55,7 @@ internal static class DocumentEndpoints
             }
             else
             {
-                session.Selection.SelectAll(request.Pointers ?? (request.Pointer is null ? [] : [request.Pointer]));
+                session.Selection.SelectAll(request.Pointers is null ? request.Pointer is null ? [] : [request.Pointer] : Needed(request.Pointers, "pointers"));
             }
 
             // The state that has it.

@@ -2,6 +2,7 @@ using RayTracer.Description;
 using RayTracer.Imaging;
 using RayTracer.Rendering;
 using RayTracer.Session;
+using static RayTracer.Studio.DocumentEndpoints;
 
 namespace RayTracer.Studio;
 
@@ -47,14 +48,14 @@ internal static class ViewEndpoints
         view.MapGet("/mask", (string pointer, int? step) => Picking.Mask(session.View.RequireShown(), pointer, step ?? 1));
         view.MapPost("/gizmo", (HandlesRequest request) =>
         {
-            ViewportScene shown = session.View.RequireShown();
-            return (session.Document.IsLocked(request.Pointer) ? null : Gizmo.Find(shown, request.Pointer))?.Handles(CameraFrame.Of(shown), request.Kind, request.Length) ?? new(request.Kind, default, null, []);
+            (ViewportScene shown, string pointer) = (session.View.RequireShown(), Needed(request.Pointer, "pointer"));
+            return (session.Document.IsLocked(pointer) ? null : Gizmo.Find(shown, pointer))?.Handles(CameraFrame.Of(shown), request.Kind, request.Length) ?? new(request.Kind, default, null, []);
         });
         view.MapGet("/lights", () => session.View.Shown is { Camera.Projection.IsStraight: true } shown ? LightBody.Of(shown) : []);
-        view.MapPost("/light/drag", (LightDrag drag) => session.LightHandles.Drag(drag));
-        view.MapPost("/hide", (MarkRequest request) => session.Document.Hide(DocumentEndpoints.Needed(request.Pointers, "pointers"), request.IsMarked));
-        view.MapPost("/lock", (MarkRequest request) => session.Document.Lock(DocumentEndpoints.Needed(request.Pointers, "pointers"), request.IsMarked));
-        view.MapPost("/drag", (HandleDrag way) => session.Handles.Drag(way));
+        view.MapPost("/light/drag", (LightDrag drag) => session.LightHandles.Drag(drag with { Pointer = Needed(drag.Pointer, "pointer") }));
+        view.MapPost("/hide", (MarkRequest request) => session.Document.Hide(Needed(request.Pointers, "pointers"), request.IsMarked));
+        view.MapPost("/lock", (MarkRequest request) => session.Document.Lock(Needed(request.Pointers, "pointers"), request.IsMarked));
+        view.MapPost("/drag", (HandleDrag way) => session.Handles.Drag(way with { Pointer = Needed(way.Pointer, "pointer") }));
     }
 
     private static ComparisonMap MapOf(string name) =>
@@ -70,7 +71,7 @@ internal static class ViewEndpoints
 
     internal sealed record BookmarkRequest(int Id, string? Name);
 
-    internal sealed record HandlesRequest(string Pointer, GizmoKind Kind, float Length);
+    internal sealed record HandlesRequest(string? Pointer, GizmoKind Kind, float Length);
 
     internal sealed record ToneRequest(float? Exposure, ExposureRule? Rule, ToneMap? ToneMap);
 

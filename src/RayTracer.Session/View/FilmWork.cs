@@ -22,6 +22,7 @@ internal sealed class FilmWork(FrameBoard frames)
     private readonly MapPictures _maps = new();
     private readonly DenoisedPicture _denoised = new();
     private readonly LightLayers _lights = new();
+    private readonly LightLayers _previewLights = new();
     private readonly PublishPace _pace = new();
     private SlicePlan _plan = new(default, 0);
     private Textbook.Renderer? _textbook;
@@ -36,6 +37,7 @@ internal sealed class FilmWork(FrameBoard frames)
     private bool _isFiltered;
     private bool _isStale;
     private object? _lightFactors;
+    private object? _previewFactors;
     private int _samplesBefore;
     private bool _isFromFile;
 
@@ -83,6 +85,11 @@ internal sealed class FilmWork(FrameBoard frames)
         if (wanted.Settings.FiltersMotion != _isFiltered)
         {
             Switch(wanted);
+        }
+
+        if (_plan.Samples == 0 && !_movingPlan.HasNext && _previews.Scale <= 1 && !ReferenceEquals(_previewFactors, wanted.Settings.LightFactors))
+        {
+            BeginPreviews(wanted);
         }
 
         if (_isFromFile)
@@ -167,14 +174,15 @@ internal sealed class FilmWork(FrameBoard frames)
         _samplesBefore = begun is null ? wanted.First : wanted.Start!.Held.End;
         _plan = new SlicePlan(wanted.Area, wanted.Samples, _textbook is not null || render.Integrator.Has(IntegratorTraits.TracesLight)).From(_samplesBefore);
         _isFromFile = _samplesBefore > wanted.First;
-        BeginPreviews(wanted, (long)width * height);
+        BeginPreviews(wanted);
 
         Log.Clear();
         (_rays, _seconds, _rendered, _badSamples, _noise) = (0, 0, 0, 0, _isFromFile ? NoiseEstimate.Of(Film, wanted.Area) : null);
     }
 
-    private void BeginPreviews(ViewportScene wanted, long pixels)
+    private void BeginPreviews(ViewportScene wanted)
     {
+        _previewFactors = wanted.Settings.LightFactors;
         bool areWanted = wanted.Settings.Map.IsLight && !_isFromFile;
         _previews.End();
         _movingPlan.End();
@@ -184,7 +192,7 @@ internal sealed class FilmWork(FrameBoard frames)
         }
         else if (areWanted)
         {
-            _previews.Begin(pixels);
+            _previews.Begin((long)wanted.Scene.Render.Width * wanted.Scene.Render.Height);
         }
     }
 
@@ -207,6 +215,7 @@ internal sealed class FilmWork(FrameBoard frames)
         }
 
         _movingPlan.Add();
+        _previewFactors = wanted.Settings.LightFactors;
         if (frames.IsWatched)
         {
             Publish(wanted, isPreview: true, picture => picture.CopyFrom(_preview));
@@ -232,7 +241,8 @@ internal sealed class FilmWork(FrameBoard frames)
         Scene scene = wanted.Scene.WithView(wanted.Camera, coarse, new((_, _) => new(1, 1))) ?? throw new InvalidOperationException("A preview cannot be rendered.");
         long start = Stopwatch.GetTimestamp();
         Film film = PreviewFilm(coarse);
-        RenderStatistics statistics = new RTracer(scene, new() { Threads = wanted.Settings.Threads }).Render(film, null, cancellation);
+        _previewLights.Begin(wanted with { Scene = scene }, film);
+        RenderStatistics statistics = new RTracer(scene, new() { Threads = wanted.Settings.Threads, Layers = _previewLights.Film }).Render(film, null, cancellation);
         if (statistics.Cancelled)
         {
             return;
@@ -240,6 +250,8 @@ internal sealed class FilmWork(FrameBoard frames)
 
         _previews.Add((long)coarse.Width * coarse.Height, Stopwatch.GetElapsedTime(start).TotalSeconds, (long)render.Width * render.Height);
         _preview.CopyFrom(film);
+        _previewLights.Paint(wanted, _preview);
+        _previewFactors = wanted.Settings.LightFactors;
         if (frames.IsWatched)
         {
             Publish(wanted, isPreview: true, picture => picture.CopyFrom(_preview));
@@ -321,7 +333,7 @@ internal sealed class FilmWork(FrameBoard frames)
         {
             PicturePainter.Paint(Film!, _preview, picture);
             _lights.Paint(wanted, picture);
-            if (wanted.Settings.FiltersMotion && wanted.Settings.LightFactors is not { Count: > 0 } && _textbook is null && _movingPlan.ShareAfter(_plan.Samples, wanted.Samples) is > 0 and var share)
+            if (wanted.Settings.FiltersMotion && ReferenceEquals(_previewFactors, wanted.Settings.LightFactors) && _textbook is null && _movingPlan.ShareAfter(_plan.Samples, wanted.Samples) is > 0 and var share)
             {
                 PicturePainter.Blend(_preview, share, picture);
             }

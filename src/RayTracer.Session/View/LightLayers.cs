@@ -16,6 +16,8 @@ internal sealed class LightLayers
 
     private const long MostBytes = 1L << 30;
     private static readonly LightPathAov[] s_kinds = [LightPathAov.Lights];
+    private GoodScene? _of;
+    private Film? _beside;
 
     /// <summary>The layers, which the renderer fills; null where there are none.</summary>
     public LightPathAovFilm? Film { get; private set; }
@@ -40,8 +42,14 @@ internal sealed class LightLayers
         }
     }
 
-    /// <summary>A picture begins.</summary>
-    public void Begin(ViewportScene wanted, Film film) => Film = wanted.Settings.LightFactors is not null && Complaint(wanted) is null ? new(film, wanted.Scene, s_kinds) : null;
+    /// <summary>A picture begins; layers of the same scene and film are used again.</summary>
+    public void Begin(ViewportScene wanted, Film film)
+    {
+        bool isKept = ReferenceEquals(_of, wanted.Good) && ReferenceEquals(_beside, film);
+        (_of, _beside) = (wanted.Good, film);
+        Film = wanted.Settings.LightFactors is null || Complaint(wanted) is not null ? null : isKept && Film is not null ? Film : new(film, wanted.Scene, s_kinds);
+        Film?.Clear();
+    }
 
     /// <summary>Adds to a picture what the factors on lights make of it.</summary>
     /// <param name="wanted">What is shown.</param>

@@ -16,9 +16,9 @@ internal sealed class ErrorAnswers(TextWriter errors)
         {
             await next(context);
         }
-        catch (OperationCanceledException) when (context.RequestAborted.IsCancellationRequested)
+        catch (Exception e) when (e is OperationCanceledException or ObjectDisposedException && context.RequestAborted.IsCancellationRequested)
         {
-            // The client has gone.
+            // The client has gone, or the server ends.
         }
         catch (Exception e)
         {

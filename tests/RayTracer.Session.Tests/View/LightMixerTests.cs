@@ -89,6 +89,36 @@ public sealed class LightMixerTests : IDisposable
         }
     }
 
+    [Theory]
+    [InlineData(true)]
+    [InlineData(false)]
+    public async Task What_is_shown_while_something_moves_heeds_them(bool isFiltered)
+    {
+        _test.Session.View.Change(s => s with { FiltersMotion = isFiltered });
+        await _test.Open(TwoLamps.Replace("\"width\": 24, \"height\": 16, \"samplesPerPixel\": 4", "\"width\": 96, \"height\": 64, \"samplesPerPixel\": 64", StringComparison.Ordinal));
+        Mixer.Mix(new Dictionary<string, float[]> { ["left"] = [0, 0, 0], ["right"] = [2, 0.5f, 1] });
+        await _test.FilmHash();
+        _test.Session.View.Change(s => s with { Mode = RenderMode.Paused });
+        Assert.True(_test.Session.View.TryLookFrom(CameraPose.Of(CameraMotion.Orbit(_test.Session.View.RequireShown().Camera, 0.3f, 0.1f))));
+        Rgb moving = await Mean(f => f.IsPreview, _ => true);
+
+        // What stands still without a sample follows the sliders, too.
+        Mixer.Mix(new Dictionary<string, float[]> { ["left"] = [0, 1, 1], ["right"] = [0, 0, 0], ["spark"] = [0, 9, 0] });
+        Rgb other = await Mean(f => f.IsPreview, m => m.G > m.R);
+        _test.Session.View.Change(s => s with { Mode = RenderMode.Running });
+        AssertClose(await Mean(f => f.IsLast, _ => true), other);
+        Mixer.Mix(new Dictionary<string, float[]> { ["left"] = [0, 0, 0], ["right"] = [2, 0.5f, 1] });
+        AssertClose(await Mean(f => f.IsLast, m => m.R > m.G), moving);
+
+        static void AssertClose(Rgb film, Rgb moving)
+        {
+            const float tolerance = 0.1f;
+            Assert.Equal(film.R, moving.R, tolerance * film.Luminance);
+            Assert.Equal(film.G, moving.G, tolerance * film.Luminance);
+            Assert.Equal(film.B, moving.B, tolerance * film.Luminance);
+        }
+    }
+
     [Fact]
     public async Task Factors_are_written_into_the_scene_in_one_step()
     {
@@ -117,6 +147,24 @@ public sealed class LightMixerTests : IDisposable
         await _test.Open(TwoLamps);
         Assert.Throws<SessionException>(() => Mixer.Mix(new Dictionary<string, float[]> { ["left"] = [1, -1, 1] }));
         Assert.Throws<SessionException>(() => Mixer.Mix(new Dictionary<string, float[]> { ["left"] = [1] }));
+    }
+
+    // That of a frame, once both are so.
+    private async Task<Rgb> Mean(Func<FrameInfo, bool> wanted, Predicate<Rgb> isSo)
+    {
+        for (long after = 0; ;)
+        {
+            using FrameLease frame = await _test.Frame(after, wanted);
+            float[] pixels = [.. Enumerable.Range(0, frame.Picture.Height).SelectMany(y => frame.Picture.Row(y).ToArray())];
+            float Of(int channel) => pixels.Where((_, i) => i % 3 == channel).Average();
+            Rgb mean = new(Of(0), Of(1), Of(2));
+            if (isSo(mean))
+            {
+                return mean;
+            }
+
+            after = frame.Version;
+        }
     }
 
     // The last frame, and one that differs from an earlier one.

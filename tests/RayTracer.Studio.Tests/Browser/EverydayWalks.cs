@@ -9,24 +9,11 @@ namespace RayTracer.Studio.Tests.Browser;
 [Trait("Category", "Slow")]
 public class EverydayWalks(ChromiumBrowser browser)
 {
-    [SkippableFact]
-    public async Task Keys_stand_on_a_sheet()
-    {
-        await using StudioWindow w = await StudioWindow.Open(browser, "primer/01-sphere");
-        await w.Painted();
-        await w.Stage.FocusAsync();
-        await w.Page.Keyboard.PressAsync("?");
-        await Expect(w.Page.GetByRole(AriaRole.Heading, new() { Name = "Keyboard shortcuts" })).ToBeVisibleAsync();
-        await w.Shot("shortcuts");
-        await w.Page.Keyboard.PressAsync("Escape");
-        await Expect(w.Page.GetByRole(AriaRole.Dialog)).ToHaveCountAsync(0);
-    }
-
     [ThoroughFact]
     [Trait("Category", "Thorough")]
     public async Task It_is_dark_or_light_as_the_system_is()
     {
-        await using StudioWindow w = await StudioWindow.Open(browser, "report/scene1", new() { ColorScheme = ColorScheme.Dark });
+        await using StudioWindow w = await StudioWindow.Open(browser, "report/scene1", new() { ColorScheme = ColorScheme.Dark }, samples: null);
         await w.Painted(2);
         async Task<bool> IsDark()
         {
@@ -85,6 +72,7 @@ public class EverydayWalks(ChromiumBrowser browser)
         await Reach(n => n.StartsWith("Open ", StringComparison.Ordinal) && n.Contains("mirror", StringComparison.OrdinalIgnoreCase));
         await w.Page.Keyboard.PressAsync("Enter");
         await w.Painted();
+        Assert.Contains("mirror", w.Session.Document.Status.Name, StringComparison.Ordinal);
         string before = w.Session.Document.Text;
         await w.Page.Keyboard.PressAsync("Control+Home");
         await Reach(n => n == "Object");
@@ -110,26 +98,17 @@ public class EverydayWalks(ChromiumBrowser browser)
     }
 
     [SkippableFact]
-    public async Task A_page_with_a_wrong_secret_says_so()
+    public async Task A_page_with_a_wrong_secret_says_so_and_one_without_says_what_to_do_and_shows_nothing_else()
     {
         await using StudioWindow w = await StudioWindow.Open(browser, "primer/01-sphere");
         w.Expected.Add("403");
         w.Expected.Add("401");
-        IPage page = await w.NewPage();
-        await page.EvaluateAsync("() => { sessionStorage.clear(); location.hash = 'token=wrong'; location.reload(); }");
-        await Expect(page.GetByText("This window belongs to an earlier run of the Studio.")).ToBeVisibleAsync();
-    }
-
-    [SkippableFact]
-    public async Task A_page_without_a_secret_says_what_to_do_and_shows_nothing_else()
-    {
-        await using StudioWindow w = await StudioWindow.Open(browser, "primer/01-sphere");
-        w.Expected.Add("401");
-        IPage page = await w.NewPage();
-        await page.EvaluateAsync("() => { sessionStorage.clear(); location.reload(); }");
-        await Expect(page.GetByRole(AriaRole.Heading, new() { Name = "This window has no way in" })).ToBeVisibleAsync();
-        await Expect(page.GetByText("raytracer studio", new() { Exact = true })).ToBeVisibleAsync();
-        await Expect(page.GetByRole(AriaRole.Button)).ToHaveCountAsync(0);
+        await w.Page.EvaluateAsync("() => { sessionStorage.clear(); location.hash = 'token=wrong'; location.reload(); }");
+        await Expect(w.Page.GetByText("This window belongs to an earlier run of the Studio.")).ToBeVisibleAsync();
+        await w.Page.EvaluateAsync("() => { sessionStorage.clear(); location.hash = ''; location.reload(); }");
+        await Expect(w.Page.GetByRole(AriaRole.Heading, new() { Name = "This window has no way in" })).ToBeVisibleAsync();
+        await Expect(w.Page.GetByText("raytracer studio", new() { Exact = true })).ToBeVisibleAsync();
+        await Expect(w.Page.GetByRole(AriaRole.Button)).ToHaveCountAsync(0);
     }
 
     [SkippableFact]
@@ -166,7 +145,7 @@ public class EverydayWalks(ChromiumBrowser browser)
     }
 
     [SkippableFact]
-    public async Task Work_that_was_not_saved_is_offered_again()
+    public async Task Unsaved_changes_are_asked_about_and_offered_again_by_the_next_Studio()
     {
         DirectoryInfo user = Directory.CreateTempSubdirectory("studio-user-");
         try
@@ -179,6 +158,12 @@ public class EverydayWalks(ChromiumBrowser browser)
                 await w.Page.Keyboard.PressAsync("Shift+Home");
                 await StudioWindow.Until("there are changes", () => Task.FromResult(w.Session.Document.IsDirty));
                 text = w.Session.Document.Text;
+                await w.Tab("Gallery");
+                await w.Page.GetByRole(AriaRole.Button, new() { NameRegex = new("Open .*glass") }).First.ClickAsync();
+                await Expect(w.Page.GetByText("Save your changes first?")).ToBeVisibleAsync();
+                await w.Shot("unsaved");
+                await w.Button("Cancel").ClickAsync();
+                Assert.Contains("01-sphere", w.Session.Document.Status.Name, StringComparison.Ordinal);
             }
 
             await using StudioWindow again = await StudioWindow.Open(browser, user: user.FullName);
@@ -193,48 +178,31 @@ public class EverydayWalks(ChromiumBrowser browser)
     }
 
     [SkippableFact]
-    public async Task A_window_whose_Studio_is_gone_says_so()
+    public async Task What_is_typed_while_the_Studio_is_gone_is_sent_when_it_is_back_or_merged_by_the_next_window()
     {
         await using StudioWindow w = await StudioWindow.Open(browser, "primer/01-sphere");
         await w.Painted();
-        w.Expected.Add("ERR_CONNECTION_REFUSED");
-        w.Expected.Add("ERR_EMPTY_RESPONSE");
-        w.Expected.Add("ERR_INCOMPLETE_CHUNKED_ENCODING");
-        w.Expected.Add("ERR_CONNECTION_RESET");
-        await w.Server.DisposeAsync();
-        await Expect(w.Page.GetByText("The Studio is not responding.")).ToBeVisibleAsync(new() { Timeout = 30_000 });
-        await Expect(w.Status).ToHaveTextAsync("not connected");
-        await w.Shot("lost");
-    }
-
-    [SkippableFact]
-    public async Task What_is_typed_while_the_Studio_is_gone_is_kept_and_merged_by_the_next_window()
-    {
-        await using StudioWindow w = await StudioWindow.Open(browser, "primer/01-sphere");
-        await w.Painted();
-        await TypeWithoutServer(w);
-        IPage page = w.Page;
-        await StudioWindow.Until("it is kept", async () => (await page.EvaluateAsync<string>("() => localStorage.getItem('studio.unsent') ?? ''")).Contains("typed in the dark", StringComparison.Ordinal));
-        await page.CloseAsync();
-        Assert.DoesNotContain("typed in the dark", w.Session.Document.Text, StringComparison.Ordinal);
-
-        w.Session.Edits.Set("/shapes/0/radius", 0.5);
-        IPage next = await w.NewPage();
-        await next.GetByRole(AriaRole.Button, new() { Name = "Merge it in" }).ClickAsync();
-        await w.Text("both changes are there", t => t.StartsWith("// typed in the dark\n", StringComparison.Ordinal) && t.Contains("0.5", StringComparison.Ordinal));
-        Assert.Equal("", await next.EvaluateAsync<string>("() => localStorage.getItem('studio.unsent') ?? ''"));
-    }
-
-    [SkippableFact]
-    public async Task What_is_typed_while_the_connection_is_lost_is_sent_when_it_is_back()
-    {
-        await using StudioWindow w = await StudioWindow.Open(browser, "primer/01-sphere");
-        await w.Painted();
-        await TypeWithoutServer(w);
+        await TypeWithoutServer(w, "// typed in the dark");
         await w.Page.UnrouteAsync("**/api/document/text");
         await w.Page.UnrouteAsync("**/api/state*");
         await w.Text("it is there", t => t.StartsWith("// typed in the dark\n", StringComparison.Ordinal));
         await StudioWindow.Until("nothing is kept", async () => await w.Page.EvaluateAsync<bool>("() => localStorage.getItem('studio.unsent') === null"));
+
+        await TypeWithoutServer(w, "// typed in another");
+        IPage page = w.Page;
+        await StudioWindow.Until("it is kept", async () => (await page.EvaluateAsync<string>("() => localStorage.getItem('studio.unsent') ?? ''")).Contains("typed in another", StringComparison.Ordinal));
+        await page.CloseAsync();
+        Assert.DoesNotContain("typed in another", w.Session.Document.Text, StringComparison.Ordinal);
+        w.Session.Edits.Set("/shapes/0/radius", 0.5);
+        IPage next = await w.NewPage();
+        await next.GetByRole(AriaRole.Button, new() { Name = "Merge it in" }).ClickAsync();
+        await w.Text("all changes are there", t => t.StartsWith("// typed in another\n// typed in the dark\n", StringComparison.Ordinal) && t.Contains("0.5", StringComparison.Ordinal));
+        Assert.Equal("", await next.EvaluateAsync<string>("() => localStorage.getItem('studio.unsent') ?? ''"));
+
+        // Without a server, a window says so.
+        await w.Server.DisposeAsync();
+        await Expect(next.GetByText("The Studio is not responding.")).ToBeVisibleAsync();
+        await Expect(next.GetByRole(AriaRole.Contentinfo)).ToHaveTextAsync("not connected");
     }
 
     [ThoroughFact]
@@ -276,16 +244,16 @@ public class EverydayWalks(ChromiumBrowser browser)
     }
 
     // The state that changes ends the request that waits for it; the next one fails.
-    private static async Task TypeWithoutServer(StudioWindow w)
+    private static async Task TypeWithoutServer(StudioWindow w, string line)
     {
         w.Expected.Add("ERR_");
         w.Expected.Add("Failed to load resource");
         await w.Page.RouteAsync("**/api/document/text", route => route.AbortAsync("connectionrefused"));
         await w.Page.RouteAsync("**/api/state*", route => route.AbortAsync("connectionrefused"));
-        w.Session.Selection.Select("/shapes/0");
+        w.Session.Selection.Select(w.Session.Selection.Pointer is null ? "/shapes/0" : null);
         await Expect(w.Page.GetByText("The Studio is not responding.")).ToBeVisibleAsync();
         await w.Page.GetByRole(AriaRole.Textbox, new() { Name = "Scene source" }).ClickAsync();
         await w.Page.Keyboard.PressAsync("Control+Home");
-        await w.Page.Keyboard.TypeAsync("// typed in the dark\n");
+        await w.Page.Keyboard.TypeAsync($"{line}\n");
     }
 }

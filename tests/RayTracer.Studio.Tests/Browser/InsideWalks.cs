@@ -126,7 +126,7 @@ public class InsideWalks(ChromiumBrowser browser)
     [Trait("Category", "Thorough")]
     public async Task Convergence_is_plotted_beside_the_theory()
     {
-        await using StudioWindow w = await StudioWindow.Open(browser, "report/scene3");
+        await using StudioWindow w = await StudioWindow.Open(browser, "report/scene3", samples: null);
         await w.Painted(16);
         await w.Tab("Convergence");
         await Expect(w.Page.GetByText("Measured slope")).ToBeVisibleAsync();

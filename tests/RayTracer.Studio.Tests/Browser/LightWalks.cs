@@ -147,7 +147,7 @@ public class LightWalks(ChromiumBrowser browser)
     [Trait("Category", "Thorough")]
     public async Task Integrator_filter_and_camera_are_chosen_and_the_picture_is_denoised()
     {
-        await using StudioWindow w = await StudioWindow.Open(browser, "primer/01-sphere");
+        await using StudioWindow w = await StudioWindow.Open(browser, "primer/01-sphere", samples: null);
         await w.Painted();
         await w.Tab("Render");
         async Task Choose(string name, string choice) => await w.Page.GetByRole(AriaRole.Combobox, new() { Name = name, Exact = true }).SelectOptionAsync(choice);

@@ -21,7 +21,7 @@ public class OpeningWalks(ChromiumBrowser browser)
     });
 
     [SkippableFact]
-    public async Task While_a_large_model_is_read_no_other_files_picture_is_shown_and_cancelling_brings_that_file_back()
+    public async Task No_other_files_picture_is_shown_while_a_model_is_read_or_where_a_file_has_errors()
     {
         await using StudioWindow w = await StudioWindow.Open(browser, "primer/01-sphere");
         await w.Painted();
@@ -44,14 +44,18 @@ public class OpeningWalks(ChromiumBrowser browser)
         await Expect(w.Canvas).ToBeVisibleAsync();
         Assert.Equal(before, w.Session.Document.Text);
         IsRead.Set();
-    }
 
-    [SkippableFact]
-    public async Task A_file_with_errors_shows_no_picture_until_it_has_one_of_its_own()
-    {
-        await using StudioWindow w = await StudioWindow.Open(browser, "primer/01-sphere");
+        // A picture that is kept belongs to its scene.
         await w.Painted();
-        string scene = Path.Combine(w.Folder, "bad.json");
+        await w.Button("Keep for comparison").ClickAsync();
+        await Expect(w.Page.GetByRole(AriaRole.Slider, new() { Name = "Wipe position" })).ToBeVisibleAsync();
+        w.Session.Files.OpenGallery("primer/02-light.json");
+        await Expect(w.Page.GetByRole(AriaRole.Slider, new() { Name = "Wipe position" })).ToHaveCountAsync(0);
+        await w.Painted();
+        await Expect(w.Page.GetByRole(AriaRole.Slider, new() { Name = "Wipe position" })).ToHaveCountAsync(0);
+
+        // A file with errors has no picture until it has one of its own.
+        scene = Path.Combine(w.Folder, "bad.json");
         await File.WriteAllTextAsync(scene, """{ "shapes": [{ "type": "sphere", "center": [0, 0, 0], "radius": "wide" }], "render": { "integrator": "report", "width": 64, "height": 48 } }""");
         w.Session.Files.Open(scene);
         await Expect(w.Page.GetByText("bad.json has errors: there is nothing to show yet.")).ToBeVisibleAsync();
@@ -61,19 +65,6 @@ public class OpeningWalks(ChromiumBrowser browser)
         w.Session.Edits.SetText("/shapes/0/radius", "\"wide\"");
         await Expect(w.Page.GetByText("The text has an error: this is the last valid picture.")).ToBeVisibleAsync();
         await Expect(w.Canvas).ToBeVisibleAsync();
-    }
-
-    [SkippableFact]
-    public async Task A_kept_picture_belongs_to_its_scene()
-    {
-        await using StudioWindow w = await StudioWindow.Open(browser, "primer/01-sphere");
-        await w.Painted();
-        await w.Button("Keep for comparison").ClickAsync();
-        await Expect(w.Page.GetByRole(AriaRole.Slider, new() { Name = "Wipe position" })).ToBeVisibleAsync();
-        w.Session.Files.OpenGallery("primer/02-light.json");
-        await Expect(w.Page.GetByRole(AriaRole.Slider, new() { Name = "Wipe position" })).ToHaveCountAsync(0);
-        await w.Painted();
-        await Expect(w.Page.GetByRole(AriaRole.Slider, new() { Name = "Wipe position" })).ToHaveCountAsync(0);
     }
 
     [SkippableFact]

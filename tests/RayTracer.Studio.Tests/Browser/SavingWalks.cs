@@ -12,7 +12,7 @@ namespace RayTracer.Studio.Tests.Browser;
 public class SavingWalks(ChromiumBrowser browser)
 {
     [SkippableFact]
-    public async Task A_scene_is_saved_and_what_was_not_touched_stays()
+    public async Task A_scene_is_saved_and_its_picture_downloaded_in_each_format_and_its_command_line_copied()
     {
         await using StudioWindow w = await StudioWindow.Open(browser, "primer/01-sphere");
         await w.Painted();
@@ -34,16 +34,14 @@ public class SavingWalks(ChromiumBrowser browser)
         Assert.Equal(w.Session.Document.Text, await File.ReadAllTextAsync(file));
         Assert.Equal(before.Split('\n')[0], (await File.ReadAllTextAsync(file)).Split('\n')[0]);
         Assert.False(w.Session.Document.IsDirty);
-    }
 
-    [SkippableFact]
-    public async Task A_picture_is_downloaded_in_each_format()
-    {
-        await using StudioWindow w = await StudioWindow.Open(browser, "primer/02-light");
-        await w.Painted();
         await Download(w, "png", "PNG");
         await Download(w, "exr", "OpenEXR");
         await Download(w, "pfm", "PFM");
+        await w.Page.GetByRole(AriaRole.Button, new() { Name = "File", Exact = true }).ClickAsync();
+        await w.Page.GetByRole(AriaRole.Menuitem, new() { Name = "Copy command line" }).ClickAsync();
+        await StudioWindow.Until("it is on the clipboard", async () =>
+            (await w.Page.EvaluateAsync<string>("() => navigator.clipboard.readText()")).StartsWith("raytracer render ", StringComparison.Ordinal));
     }
 
     [ThoroughFact]
@@ -59,17 +57,6 @@ public class SavingWalks(ChromiumBrowser browser)
         using ZipArchive zip = ZipFile.OpenRead(file);
         Assert.Contains(zip.Entries, e => e.Name == "globe.png");
         Assert.Contains(zip.Entries, e => e.FullName == "scene.json");
-    }
-
-    [SkippableFact]
-    public async Task The_command_line_is_copied()
-    {
-        await using StudioWindow w = await StudioWindow.Open(browser, "report/scene2");
-        await w.Painted();
-        await w.Page.GetByRole(AriaRole.Button, new() { Name = "File", Exact = true }).ClickAsync();
-        await w.Page.GetByRole(AriaRole.Menuitem, new() { Name = "Copy command line" }).ClickAsync();
-        await StudioWindow.Until("it is on the clipboard", async () =>
-            (await w.Page.EvaluateAsync<string>("() => navigator.clipboard.readText()")).StartsWith("raytracer render ", StringComparison.Ordinal));
     }
 
     [ThoroughFact]

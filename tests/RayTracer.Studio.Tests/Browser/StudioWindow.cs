@@ -7,6 +7,8 @@ namespace RayTracer.Studio.Tests.Browser;
 /// <summary>A Studio and a window on it. What goes wrong in the page or the server fails the test when it is closed.</summary>
 internal sealed class StudioWindow : IAsyncDisposable
 {
+    // More of them would take the processor from the window, and hardly any walk looks at noise.
+    private const int FewSamples = 4;
     private readonly DirectoryInfo _folder;
     private readonly StringWriter _errors;
     private readonly List<string> _troubles = [];
@@ -19,6 +21,8 @@ internal sealed class StudioWindow : IAsyncDisposable
     public StudioServer Server { get; private init; } = null!;
 
     public IPage Page { get; private set; } = null!;
+
+    private static bool IsKeepingShots { get; } = Environment.GetEnvironmentVariable("RAYTRACER_UPDATE") == "1";
 
     /// <summary>Where the walk may write.</summary>
     public string Folder => _folder.FullName;
@@ -38,8 +42,9 @@ internal sealed class StudioWindow : IAsyncDisposable
     /// <param name="more">Changes the window.</param>
     /// <param name="isFirst">Whether it is the user's first time, so that the tour is offered.</param>
     /// <param name="user">The user's folder; null for a new one.</param>
+    /// <param name="samples">Samples of each pixel of scenes that are opened; null, or where screenshots are kept, for as many as they say.</param>
     public static async Task<StudioWindow> Open(
-        ChromiumBrowser browser, string? scene = null, BrowserNewContextOptions? more = null, bool isFirst = false, string? user = null)
+        ChromiumBrowser browser, string? scene = null, BrowserNewContextOptions? more = null, bool isFirst = false, string? user = null, int? samples = FewSamples)
     {
         Skip.If(browser.Instance is null, browser.WhyNot);
         BrowserNewContextOptions options = more ?? new();
@@ -53,6 +58,7 @@ internal sealed class StudioWindow : IAsyncDisposable
         StudioSession session = new(new UserFolders(Path.Combine(user, "state"), Path.Combine(user, "cache"), user));
         if (scene is not null)
         {
+            session.View.Change(s => s with { Samples = IsKeepingShots ? null : samples });
             session.Files.Open(Copy(scene, folder));
         }
 
@@ -174,7 +180,7 @@ internal sealed class StudioWindow : IAsyncDisposable
     /// <summary>Keeps a screenshot where pictures are renewed: in the documentation if it is shown there, else among the results.</summary>
     public async Task Shot(string name, bool isShown = false)
     {
-        if (Environment.GetEnvironmentVariable("RAYTRACER_UPDATE") != "1")
+        if (!IsKeepingShots)
         {
             return;
         }

@@ -22,8 +22,12 @@ internal sealed unsafe class MovingView
     private const float DarkestAlbedo = 0.04f;
     private static readonly int[] s_steps = [1, 3];
     private readonly MovingThings _things = new();
+    private readonly LightLayers _lights = new();
+    private readonly LinearPicture _mixed = new();
     private MovingHistory[] _histories = [];
     private MovingPlanes[] _planes = [];
+    private Film? _film;
+    private object? _factors;
     private MovingCamera? _camera;
     private MovingCamera? _before;
     private MovingHistory _now = null!;
@@ -69,7 +73,9 @@ internal sealed unsafe class MovingView
         }
 
         TimeSpan traced = Environment.CpuUsage.TotalTime;
-        MovingPlanes light = Filter(wanted, change == SceneChange.Edited ? AfterEdit : float.PositiveInfinity);
+        bool isOtherLight = change == SceneChange.Edited || !ReferenceEquals(_factors, wanted.Settings.LightFactors);
+        _factors = wanted.Settings.LightFactors;
+        MovingPlanes light = Filter(wanted, isOtherLight ? AfterEdit : float.PositiveInfinity);
         Write(light, to);
         _pictures++;
         Cost = (traced - start, Environment.CpuUsage.TotalTime - traced);
@@ -98,13 +104,46 @@ internal sealed unsafe class MovingView
         Scene scene = wanted.Scene.WithView(wanted.Camera, render, new((_, _) => new(1, 1))) ?? throw new InvalidOperationException("The moving view cannot be rendered.");
         _now = _histories[_pictures % 2];
         SeenPlanes seen = _now.Guides.Seen;
-        if (!new SeenPass(scene, wanted.Settings.Threads).Take(seen, sample, cancellation))
+        if (!new SeenPass(scene, wanted.Settings.Threads).Take(seen, sample, cancellation) || !Mix(wanted with { Scene = scene }, seen, sample, cancellation))
         {
             return false;
         }
 
         (_before, _camera) = (_camera, CameraOf(wanted, width, height));
         seen.Eye = _camera?.Eye ?? wanted.Camera.Position;
+        return true;
+    }
+
+    // While the mixer has factors on lights, the light is that of a film of the same sample, which keeps lights apart. False if it was cancelled.
+    private bool Mix(ViewportScene wanted, SeenPlanes seen, int sample, CancellationToken cancellation)
+    {
+        if (wanted.Settings.LightFactors is null)
+        {
+            _film = null;
+            return true;
+        }
+
+        (int width, int height) = (seen.Rows.Width, seen.Rows.Height);
+        _film = _film is { } before && (before.Width, before.Height) == (width, height) ? before : new(width, height);
+        _film.Clear();
+        _lights.Begin(wanted, _film);
+        RenderOptions options = new() { Threads = wanted.Settings.Threads, Samples = new(sample, sample + 1), Layers = _lights.Film };
+        if (new RTracer(wanted.Scene, options).Render(_film, null, cancellation).Cancelled)
+        {
+            return false;
+        }
+
+        _mixed.CopyFrom(_film);
+        _lights.Paint(wanted, _mixed);
+        for (int y = 0; y < height; y++)
+        {
+            Span<float> row = _mixed.Row(y);
+            for (int x = 0; x < width; x++)
+            {
+                seen.TakeLight(seen.Rows.At(x, y), new(row[3 * x], row[(3 * x) + 1], row[(3 * x) + 2]));
+            }
+        }
+
         return true;
     }
 

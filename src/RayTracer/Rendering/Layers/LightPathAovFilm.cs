@@ -101,6 +101,14 @@ public sealed class LightPathAovFilm
         return (places, names);
     }
 
+    /// <summary>Takes all light away.</summary>
+    internal void Clear()
+    {
+        Array.ForEach(_pass, Array.Clear);
+        Array.ForEach(_sums, Array.Clear);
+        Array.Clear(_upper);
+    }
+
     /// <summary>Begins a pass over a tile: what it has so far will not be taken back.</summary>
     internal void Begin(in Tile tile)
     {

@@ -1,4 +1,6 @@
+using System.Collections.Immutable;
 using RayTracer.Description;
+using RayTracer.Numerics;
 using RayTracer.Rendering;
 
 namespace RayTracer.Session.Tests;
@@ -32,6 +34,31 @@ public sealed class MovingViewTests
         Film noisy = Rendered(shown, 1);
         Assert.InRange(Error(picture, reference), 0, Error(Pictured(noisy), reference) / 4);
         Assert.Equal(Mean(Pictured(reference)), Mean(picture), 0.03f * Mean(picture));
+    }
+
+    [Fact]
+    public async Task Factors_on_lights_make_of_it_what_they_make_of_the_film()
+    {
+        using TestSession test = new();
+        ViewportScene shown = await test.Open(Text(Ball.Replace("\"center\"", "\"name\": \"ball\", \"center\"", StringComparison.Ordinal)));
+        shown = shown with { Settings = shown.Settings with { LightFactors = ImmutableDictionary<string, Rgb>.Empty.Add("ball", new(0.25f, 2, 1)).Add("unnamed", new(1, 0, 0.5f)) } };
+        MovingView view = new();
+        LinearPicture picture = new();
+        for (int i = 0; i < 12; i++)
+        {
+            shown = Turned(shown, 0.01f);
+            view.Next(shown, picture, CancellationToken.None);
+        }
+
+        Film film = Rendered(shown, 1);
+        LightLayers lights = new();
+        lights.Begin(shown, film);
+        film.Clear();
+        new RTracer(Many(shown, 256), new() { Layers = lights.Film }).Render(film);
+        LinearPicture mixed = Pictured(film);
+        lights.Paint(shown, mixed);
+        float bright = Enumerable.Range(0, 3).Max(channel => Mean(mixed, channel));
+        Assert.All(Enumerable.Range(0, 3), channel => Assert.Equal(Mean(mixed, channel), Mean(picture, channel), 0.03f * bright));
     }
 
     [Fact]
@@ -136,8 +163,10 @@ public sealed class MovingViewTests
         return shown with { Camera = camera, Scene = shown.Scene.WithView(camera, shown.Scene.Render, new((_, _) => new(1, 1)))! };
     }
 
-    private static Film Rendered(ViewportScene shown, int samples) =>
-        new RTracer(shown.Scene.WithView(shown.Camera, shown.Scene.Render with { SamplesPerPixel = samples }, new((_, _) => new(1, 1)))!).Render().Film;
+    private static Film Rendered(ViewportScene shown, int samples) => new RTracer(Many(shown, samples)).Render().Film;
+
+    private static Scene Many(ViewportScene shown, int samples) =>
+        shown.Scene.WithView(shown.Camera, shown.Scene.Render with { SamplesPerPixel = samples }, new((_, _) => new(1, 1)))!;
 
     private static LinearPicture Pictured(Film film)
     {
@@ -146,9 +175,11 @@ public sealed class MovingViewTests
         return picture;
     }
 
-    private static float Luminance(LinearPicture picture, int x, int y) => new Numerics.Rgb(picture.Row(y)[3 * x], picture.Row(y)[(3 * x) + 1], picture.Row(y)[(3 * x) + 2]).Luminance;
+    private static float Luminance(LinearPicture picture, int x, int y) => new Rgb(picture.Row(y)[3 * x], picture.Row(y)[(3 * x) + 1], picture.Row(y)[(3 * x) + 2]).Luminance;
 
     private static float Mean(LinearPicture picture) => Enumerable.Range(0, Size * Size).Average(i => Luminance(picture, i % Size, i / Size));
+
+    private static float Mean(LinearPicture picture, int channel) => Enumerable.Range(0, Size * Size).Average(i => picture.Row(i / Size)[(3 * (i % Size)) + channel]);
 
     // Without the edges of things, which a sample cannot show.
     private static float Error(LinearPicture picture, Film reference) => Enumerable.Range(0, Size * Size).Where(i => i / Size > Size / 2).Average(i =>
