@@ -59,7 +59,7 @@ internal static class DocumentEndpoints
             }
 
             // The state that has it.
-            return Results.Json(new { version = session.Changes.Version });
+            return Results.Json(new { version = session.Changes.Version, revision = document.Revision });
         });
     }
 
