@@ -27,7 +27,7 @@ public class AccessibilityTests(ChromiumBrowser browser)
         await Check("hidden", w.Page.Locator(":root"));
         await w.Page.Keyboard.PressAsync("Shift+F10");
         await Expect(w.Page.GetByRole(AriaRole.Menuitem).First).ToBeFocusedAsync();
-        await Check("menu", w.Page.Locator(":root"));
+        await Check("menu", w.Page.GetByRole(AriaRole.Menu));
         await w.Page.Keyboard.PressAsync("Escape");
         await Expect(w.Stage).ToBeFocusedAsync();
         await w.Page.Keyboard.PressAsync("Shift+H");
@@ -40,11 +40,11 @@ public class AccessibilityTests(ChromiumBrowser browser)
 
         await w.Stage.FocusAsync();
         await w.Page.Keyboard.PressAsync("?");
-        await Check("shortcuts", w.Page.Locator(":root"));
+        await Check("shortcuts", w.Page.GetByRole(AriaRole.Dialog));
         await w.Page.Keyboard.PressAsync("Escape");
         await w.Page.Keyboard.PressAsync("F1");
         await Expect(w.Page.GetByRole(AriaRole.Article)).ToContainTextAsync("The picture");
-        await Check("help", w.Page.Locator(":root"));
+        await Check("help", w.Page.GetByRole(AriaRole.Dialog));
         await w.Page.Keyboard.PressAsync("Escape");
         w.Session.Files.Open(ProjectFolder.PathOf("scenes", "animation", "01-turn.json"));
         await w.Page.GetByRole(AriaRole.Button, new() { NameRegex = new("camera.position: key at frame 0") }).ClickAsync();
