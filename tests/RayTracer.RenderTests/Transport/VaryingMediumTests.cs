@@ -136,17 +136,18 @@ public sealed class VaryingMediumTests : IDisposable
         Check(images, [0.5 * depth, depth, 0]);
     }
 
-    // Means of quarters of the picture, from 2,048 samples of Mitsuba 3.9.1 a pixel (volpath), with their standard errors.
+    // Light that is scattered once: means of quarters of the picture, from 2,048 samples of Mitsuba 3.9.1 a pixel (volpath), with their standard errors. What it scatters more often does not
+    // follow its own phase function: a medium of albedo 1 in an even light of 1 has a mean of 0.78 there.
     [Theory]
-    [InlineData(false, 0, 0, 0.17256805, 0.20042555, 0.24279714, 0.000687, 0.000384, 0.000252)]
-    [InlineData(false, 8, 0, 0.18886977, 0.22202793, 0.27391657, 0.000575, 0.000454, 0.000257)]
-    [InlineData(false, 0, 8, 0.17203766, 0.19637406, 0.23201188, 0.001032, 0.000695, 0.000258)]
-    [InlineData(false, 8, 8, 0.14707613, 0.18204439, 0.23627855, 0.000616, 0.000440, 0.000286)]
-    [InlineData(true, 0, 0, 0.13916216, 0.15897292, 0.19005138, 0.000813, 0.000566, 0.000464)]
-    [InlineData(true, 8, 0, 0.11030801, 0.13970906, 0.18511045, 0.000750, 0.000432, 0.000178)]
-    [InlineData(true, 0, 8, 0.18646555, 0.21629095, 0.25909266, 0.000820, 0.000576, 0.000432)]
-    [InlineData(true, 8, 8, 0.17834799, 0.20642567, 0.24529198, 0.000723, 0.000518, 0.000381)]
-    public void Flakes_look_as_in_Mitsuba(bool vary, int x, int y, double red, double green, double blue, double redError, double greenError, double blueError)
+    [InlineData(false, 0, 0, 0.044375115, 0.000131)]
+    [InlineData(false, 8, 0, 0.042702258, 0.000145)]
+    [InlineData(false, 0, 8, 0.045555338, 0.000167)]
+    [InlineData(false, 8, 8, 0.022840606, 0.000108)]
+    [InlineData(true, 0, 0, 0.042367544, 0.000138)]
+    [InlineData(true, 8, 0, 0.036294222, 0.0001)]
+    [InlineData(true, 0, 8, 0.046542112, 0.000131)]
+    [InlineData(true, 8, 8, 0.031327367, 0.0001)]
+    public void Flakes_scatter_light_once_as_in_Mitsuba(bool vary, int x, int y, double theirs, double error)
     {
         string medium = vary
             ? $$"""
@@ -154,20 +155,15 @@ public sealed class VaryingMediumTests : IDisposable
               "phase": { "shape": "sggx", "matrixGrid": { "size": [1, 2, 1, 6], "values": [0.9, 0.3, 0.15, 0.2, -0.1, 0.05, 0.04, 0.04, 1, 0, 0, 0], {{Box}} } }
               """
             : """ "extinction": [2, 2, 2], "phase": { "shape": "sggx", "matrix": [0.9, 0.3, 0.15, 0.2, -0.1, 0.05] } """;
-        BlockEstimate Ours(int channel) => s_flakes.GetOrAdd(vary, _ => SceneRuns.RenderText($$"""
+        BlockEstimate ours = s_flakes.GetOrAdd(vary, _ => SceneRuns.RenderText($$"""
             { "camera": { "position": [2, 1.5, 4], "lookAt": [0, 0, 0], "fieldOfView": 30 },
-              "render": { "width": 16, "height": 16, "samplesPerPixel": 16, "integrator": "volPath", "maxDepth": 24, "rouletteDepth": 100 },
-              "environment": { "type": "constant", "radiance": [0.1, 0.2, 0.4] },
+              "render": { "width": 16, "height": 16, "samplesPerPixel": 16, "integrator": "volPath", "maxDepth": 2 },
               "lights": [ { "type": "directional", "direction": [1, -1, -0.5], "irradiance": [3, 3, 3] } ],
               "shapes": [ { "type": "box", "a": [-1, -1, -1], "b": [1, 1, 1], "material": { "type": "invisible", "interior": { "albedo": [0.9, 0.8, 0.6], {{medium}} } } } ] }
-            """, s_seeds)).Estimate(new(x, y, 8, 8), channel);
-        (double Mean, double Error)[] theirs = [(red, redError), (green, greenError), (blue, blueError)];
-        for (int channel = 0; channel < 3; channel++)
-        {
-            BlockEstimate ours = Ours(channel);
-            double slack = 4.5 * Math.Sqrt(ours.Variance + (theirs[channel].Error * theirs[channel].Error));
-            Assert.True(double.Abs(ours.Mean - theirs[channel].Mean) < slack, $"channel {channel}: {ours.Mean}, but {theirs[channel].Mean} of Mitsuba, allowed {slack}");
-        }
+            """, s_seeds)).Estimate(new(x, y, 8, 8), 0);
+        double slack = 4.5 * Math.Sqrt(ours.Variance + (error * error));
+        Assert.True(double.Abs(ours.Mean - theirs) < slack, $"{ours.Mean}, but {theirs} of Mitsuba, allowed {slack}");
+        Assert.True(slack < 0.1 * theirs, $"a slack of {slack} shows nothing");
     }
 
     // Of one temperature and density, B(T) · emission · (1 − e^(−extinction · way))/extinction; offset and scale bring the numbers to 1,500 K.
@@ -178,13 +174,13 @@ public sealed class VaryingMediumTests : IDisposable
     public void What_glows_has_the_colour_of_its_temperature(string temperatures, string numbers)
     {
         string medium = $$"""
-            { "extinction": [0.4, 0.8, 1.2], "emission": [2e3, 1e4, 1e5], "density": { "size": [2, 1, 1], "values": [1, 1], {{Box}} },
+            { "extinction": [0.4, 0.8, 1.2], "emission": [20, 100, 1000], "density": { "size": [2, 1, 1], "values": [1, 1], {{Box}} },
               "temperatureGrid": { "size": [2, 1, 1], "values": {{temperatures}}, {{Box}} }{{numbers}} }
             """;
         ImageSamples images = SceneRuns.RenderText(Ball(medium, "[0, 0, 0]").Replace("\"fieldOfView\": 40", "\"fieldOfView\": 1e-3", StringComparison.Ordinal), s_seeds);
         RgbW color = BlackBody.Color(temperatures == "[100, 100]" ? 0f : 1500f);
         double Seen(double emission, double extinction) => emission * (1 - Math.Exp(-extinction * 2)) / extinction;
-        Check(images, [Seen(2e3, 0.4) * color.R[0], Seen(1e4, 0.8) * color.G[0], Seen(1e5, 1.2) * color.B[0]]);
+        Check(images, [Seen(20, 0.4) * color.R[0], Seen(100, 0.8) * color.G[0], Seen(1000, 1.2) * color.B[0]]);
     }
 
     [Fact]
