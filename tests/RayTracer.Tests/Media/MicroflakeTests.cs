@@ -6,7 +6,7 @@ using RayTracer.Textures;
 
 namespace RayTracer.Tests.Media;
 
-/// <summary>Media of tiny mirrors, against their formulas in double precision, and Mitsuba.</summary>
+/// <summary>Covers `Microflakes`: media of tiny mirrors, against their formulas in double precision, and Mitsuba.</summary>
 [Trait("Category", "Thorough")]
 public class MicroflakeTests
 {
