@@ -5,7 +5,7 @@ using RayTracer.Rendering;
 namespace RayTracer.Session;
 
 /// <summary>
-/// Smooths light within things: à-trous wavelets whose weights stop at other things, normals, distances, and at differences that the noise does not explain
+/// Smooths light within things: means over neighbours, near and then further ones, whose weights stop at other things, normals, distances, and at differences that the noise does not explain
 /// (Schied et al. 2017, "Spatiotemporal Variance-Guided Filtering"). A register of neighbouring pixels at a time, rows on several threads.
 /// </summary>
 internal static unsafe class EdgeFilter
@@ -15,7 +15,6 @@ internal static unsafe class EdgeFilter
 
     // Of the logarithm of the distance, for each pixel between the two.
     private const float DepthSlope = 0.02f;
-    private static readonly float[] s_kernel = [0.25f, 0.5f, 0.25f];
 
     /// <summary>Smooths once.</summary>
     /// <param name="from">The light.</param>
@@ -38,7 +37,7 @@ internal static unsafe class EdgeFilter
         Pixels middle = new(from, guides, at);
         FloatW deviation = 1f / ((FloatW.Sqrt(middle.Variance) * Deviations) + (middle.Luminance * 0.01f) + 1e-4f);
         Sums sums = default;
-        sums.Add(middle, s_kernel[1] * s_kernel[1]);
+        sums.Add(middle, 1f);
         for (int dy = -1; dy <= 1; dy++)
         {
             int row = y + (dy * step);
@@ -54,9 +53,8 @@ internal static unsafe class EdgeFilter
                     continue;
                 }
 
-                float share = s_kernel[dx + 1] * s_kernel[dy + 1];
                 Pixels other = new(from, guides, at + (dy * step * from.Rows.Stride) + (dx * step));
-                sums.Add(other, Alike(middle, other, deviation, step) * share);
+                sums.Add(other, Alike(middle, other, deviation, step));
             }
         }
 
