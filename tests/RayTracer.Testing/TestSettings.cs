@@ -22,16 +22,18 @@ public static class TestSettings
     /// <summary>One number for every day, and another for a thorough run; a third of the way between their logarithms where that has little time.</summary>
     public static int Scale(int everyday, int thorough) => s_thorough == "some" ? Between(everyday, thorough) : Thorough ? thorough : everyday;
 
-    // A power of two between powers of two, and a square between squares: some sequences of samples need them.
+    // A power of two between powers of two, and a square between squares: some sequences of samples need them, or both.
     private static int Between(int a, int b)
     {
+        bool areSquares = double.IsInteger(double.Sqrt(a)) && double.IsInteger(double.Sqrt(b));
         if (int.IsPow2(a) && int.IsPow2(b))
         {
-            return 1 << (((2 * int.Log2(a)) + int.Log2(b)) / 3);
+            int power = ((2 * int.Log2(a)) + int.Log2(b)) / 3;
+            return 1 << (areSquares ? power + (power % 2) : power);
         }
 
         double between = double.Cbrt((double)a * a * b);
         int edge = (int)double.Round(double.Sqrt(between));
-        return double.IsInteger(double.Sqrt(a)) && double.IsInteger(double.Sqrt(b)) ? edge * edge : (int)double.Round(between);
+        return areSquares ? edge * edge : (int)double.Round(between);
     }
 }
