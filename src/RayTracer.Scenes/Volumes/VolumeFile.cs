@@ -46,7 +46,7 @@ public static class VolumeFile
         return bytes;
     }
 
-    /// <summary>True where a file is one of NanoVDB's that has a grid of floats of a name; false also where it cannot be read, which <see cref="Read(string, GridDescription)"/> tells.</summary>
+    /// <summary>True where a file is one of NanoVDB's that has a grid of floats of a name; false also where it cannot be read, which <see cref="Read(string, GridDescription)"/> reports.</summary>
     /// <param name="path">The file's path.</param>
     /// <param name="name">The name.</param>
     public static bool Has(string path, string name)

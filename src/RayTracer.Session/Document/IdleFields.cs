@@ -38,6 +38,7 @@ internal static class IdleFields
         new("filter", ["b", "c"], v => Of<FilterDescription>(v).Shape != FilterShape.Mitchell, Text("mitchell")),
         new("principled", ["refractiveIndex"], v => v.Child("specular")!.Node is not null, Text("specular")),
         new("principled", ["sheenTint"], v => IsZero(v, "sheen"), Text("noSheen")),
+        new("principled", ["filmThickness", "filmIndex"], v => IsZero(v, "iridescence"), Text("noIridescence")),
         new("principled", ["clearcoatRoughness"], v => IsZero(v, "clearcoat"), Text("noClearcoat")),
         new("principled", ["interior"], v => IsZero(v, "transmission"), Text("opaque")),
         new("roughDielectric", ["alpha"], HasBothAlphas, Text("alphas")),

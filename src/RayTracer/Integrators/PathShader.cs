@@ -22,7 +22,7 @@ internal sealed unsafe class PathShader(ShaderContext context, int maxDepth) : I
     // How many times what a path carries it survives: less noise for more time. Measured on the Cornell box, fog, glossy balls and a room; 1 is the usual choice.
     internal const float Leniency = 4;
     private readonly ShadowQueue? _queue = context.Queue;
-    private readonly DirectLight _directLight = new(context.Scene, context.Queue, context.LightObserver, context.Clock);
+    private readonly DirectLight _directLight = new(context.Scene, context.Queue, PathObserver.OfLights(context.Observer), context.Clock);
     private readonly EmitterLookup _lights = new(context.Scene);
     private readonly EnvironmentLight? _environment = context.Scene.SampledEnvironment;
     private readonly GuidedMaterials? _guided = context.Scene.Guide is { } guide ? new(guide) : null;

@@ -11,7 +11,7 @@ namespace RayTracer.Rendering;
 internal sealed unsafe class ReportShader(ShaderContext context) : SurfaceShader(context)
 {
     private readonly ShadowQueue? _queue = context.Queue;
-    private readonly DirectLight _directLight = new(context.Scene, context.Queue, context.LightObserver, context.Clock);
+    private readonly DirectLight _directLight = new(context.Scene, context.Queue, PathObserver.OfLights(context.Observer), context.Clock);
 
     internal override long ShadowRays => _directLight.ShadowRays;
 

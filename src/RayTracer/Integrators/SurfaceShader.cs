@@ -25,9 +25,6 @@ public sealed class ShaderContext
     // Sees what happens to the paths; null where nobody asks.
     internal PathObserver? Observer { get; }
 
-    // Sees what light sources send.
-    internal PathObserver? LightObserver => Observer is { SeesLights: true } ? Observer : null;
-
     // Measures the stages; null where nobody looks.
     internal StageClock? Clock { get; init; }
 

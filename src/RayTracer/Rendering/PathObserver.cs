@@ -12,6 +12,9 @@ internal abstract unsafe class PathObserver
     /// <summary>False if it is not to see what light sources send, nor the rays to them, which takes longer.</summary>
     public virtual bool SeesLights => true;
 
+    /// <summary>The observer of light sources: null where nobody is, or it is not to see them.</summary>
+    public static PathObserver? OfLights(PathObserver? observer) => observer is { SeesLights: true } ? observer : null;
+
     /// <summary>Prepares for some samples of a tile.</summary>
     public virtual void Begin(in Tile tile, SampleRange samples)
     {

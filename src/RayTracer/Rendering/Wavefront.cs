@@ -50,7 +50,7 @@ internal sealed unsafe class Wavefront
         _accumulator = withAll?._accumulator ?? new(maxTilePixels);
         _finished = new(scene, streamSize, _generator, _accumulator, observer, _backdrop, withAll?._backdrop);
         bool queues = !scene.World.IsPlain && scene.SampledLights.Count > 0 && !scene.TracksInteriors && !scene.WeakensShadows;
-        _shader = scene.Render.Integrator.CreateShader(new(scene, _finished, queues ? new(scene, observer is { SeesLights: true } ? observer : null) : null, observer, light) { Clock = clock });
+        _shader = scene.Render.Integrator.CreateShader(new(scene, _finished, queues ? new(scene, PathObserver.OfLights(observer)) : null, observer, light) { Clock = clock });
         _stages = new(scene, streamSize, _shader, clock);
         _afterStep = next =>
         {

@@ -117,7 +117,7 @@ internal sealed unsafe class MovingView
     // While the mixer has factors on lights, the light is that of a film of the same sample, which keeps lights apart. False if it was cancelled.
     private bool Mix(ViewportScene wanted, SeenPlanes seen, int sample, CancellationToken cancellation)
     {
-        if (wanted.Settings.LightFactors is null)
+        if (wanted.Settings.LightFactors is not { Count: > 0 })
         {
             _film = null;
             return true;

@@ -26,23 +26,20 @@ internal sealed unsafe class SeenByPaths(Scene scene, SeenPlanes planes, SeenThr
     /// <inheritdoc/>
     public override bool SeesLights => false;
 
-    /// <summary>The numbers of the tile's pixels in the picture of which more is to be traced.</summary>
-    public ReadOnlySpan<int> Rest
+    /// <summary>Returns the numbers of the tile's pixels in the picture of which more is to be traced.</summary>
+    public ReadOnlySpan<int> FindRest()
     {
-        get
+        _rest.Clear();
+        for (int path = 0; path < _tile.Pixels; path++)
         {
-            _rest.Clear();
-            for (int path = 0; path < _tile.Pixels; path++)
+            if (_paths[path] != Seen)
             {
-                if (_paths[path] != Seen)
-                {
-                    (int x, int y) = _tile.Pixel(path);
-                    _rest.Add((y * planes.Rows.Width) + x);
-                }
+                (int x, int y) = _tile.Pixel(path);
+                _rest.Add((y * planes.Rows.Width) + x);
             }
-
-            return CollectionsMarshal.AsSpan(_rest);
         }
+
+        return CollectionsMarshal.AsSpan(_rest);
     }
 
     /// <inheritdoc/>
@@ -111,8 +108,8 @@ internal sealed unsafe class SeenByPaths(Scene scene, SeenPlanes planes, SeenThr
         float* blue = green + finished.Stride;
         for (int i = 0; i < finished.Count; i++)
         {
-            Rgb light = SampleAccumulator.Clamp(new(red[i], green[i], blue[i]));
-            planes.TakeLight(_places[finished.Path[i]], float.IsFinite(light.R + light.G + light.B) ? light : default);
+            Rgb light = new(red[i], green[i], blue[i]);
+            planes.TakeLight(_places[finished.Path[i]], float.IsFinite(light.R + light.G + light.B) ? SampleAccumulator.Clamp(light) : default);
         }
 
         finished.Clear();

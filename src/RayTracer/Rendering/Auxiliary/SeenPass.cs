@@ -52,7 +52,7 @@ internal sealed class SeenPass(Scene scene, int threads)
             try
             {
                 _wavefront.Observe(tile, sample);
-                if (_paths.Rest is { Length: > 0 } rest)
+                if (_paths.FindRest() is { Length: > 0 } rest)
                 {
                     _beyond.Take(_planes, rest, sample.First);
                 }
