@@ -160,8 +160,9 @@ internal sealed unsafe class ImageEnvironment : EnvironmentLight
 
         // Where in the cell, in proportion to the solid angle.
         MaskW isUpper = place.Row < (uint)(_height / 2);
-        FloatW from = isUpper.Select(FloatW.Gather(_sines.Pointer, place.Row), FloatW.Gather(_cosines.Pointer, place.Row));
-        FloatW to = isUpper.Select(FloatW.Gather(_sines.Pointer + 1, place.Row), FloatW.Gather(_cosines.Pointer + 1, place.Row));
+        FloatW.Gather(_sines.Pointer, place.Row, out FloatW sineFrom, out FloatW sineTo);
+        FloatW.Gather(_cosines.Pointer, place.Row, out FloatW cosineFrom, out FloatW cosineTo);
+        (FloatW from, FloatW to) = (isUpper.Select(sineFrom, cosineFrom), isUpper.Select(sineTo, cosineTo));
         FloatW t = FloatW.Max(FloatW.Min((isUpper.Select(place.Sine, place.Cosine) - from) / (to - from), 1f), 0f);
         FloatW there = cell.At(place.S, t);
         FloatW density = probability * there / (cell.Mean * FloatW.Gather(_solidAngles.Pointer, place.Row));
@@ -180,8 +181,9 @@ internal sealed unsafe class ImageEnvironment : EnvironmentLight
         FloatW t = ByLine(cell.UpperLeft + cell.UpperRight, cell.LowerLeft + cell.LowerRight, restV);
         FloatW s = ByLine(Mix(cell.UpperLeft, cell.LowerLeft, t), Mix(cell.UpperRight, cell.LowerRight, t), restU);
 
-        FloatW sine = Mix(FloatW.Gather(_sines.Pointer, row), FloatW.Gather(_sines.Pointer + 1, row), t);
-        FloatW cosine = Mix(FloatW.Gather(_cosines.Pointer, row), FloatW.Gather(_cosines.Pointer + 1, row), t);
+        FloatW.Gather(_sines.Pointer, row, out FloatW sineFrom, out FloatW sineTo);
+        FloatW.Gather(_cosines.Pointer, row, out FloatW cosineFrom, out FloatW cosineTo);
+        (FloatW sine, FloatW cosine) = (Mix(sineFrom, sineTo, t), Mix(cosineFrom, cosineTo, t));
         FloatW y = cosine - sine;
         FloatW r = FloatW.Sqrt(sine * cosine) * 2f;
         LaneMath.SinCosTurn((column.ToFloat() + s + 0.5f) * (1f / _width), out FloatW sin, out FloatW cos);
@@ -255,11 +257,7 @@ internal sealed unsafe class ImageEnvironment : EnvironmentLight
         corners.LowerRight = Texel(lower + next);
     }
 
-    private RgbW Texel(UIntW index)
-    {
-        UIntW at = index * 3u;
-        return new(FloatW.Gather(_texels.Pointer, at), FloatW.Gather(_texels.Pointer + 1, at), FloatW.Gather(_texels.Pointer + 2, at));
-    }
+    private RgbW Texel(UIntW index) => RgbW.Gather(_texels.Pointer, index * 3u);
 
     // Where a direction lies in the picture: its cell, where in it by angles, and sin² and cos² of half the angle to the axis.
     private struct Place

@@ -188,8 +188,8 @@ internal sealed unsafe class LightSelection
     {
         UIntW at = node * (uint)Numbers;
         float* numbers = _nodes.Pointer;
-        Vec3W to = new Vec3W(FloatW.Gather(numbers, at), FloatW.Gather(numbers + 1, at), FloatW.Gather(numbers + 2, at)) - point;
-        Vec3W half = new(FloatW.Gather(numbers + 3, at), FloatW.Gather(numbers + 4, at), FloatW.Gather(numbers + 5, at));
+        Vec3W to = Vec3W.Gather(numbers, at) - point;
+        Vec3W half = Vec3W.Gather(numbers + 3, at);
         FloatW distance2 = Vec3W.Dot(to, to);
         FloatW size2 = Vec3W.Dot(half, half);
 

@@ -233,9 +233,5 @@ internal sealed unsafe class MediumTable
         return FloatW.Max(albedo.R, FloatW.Max(albedo.G, albedo.B)) > 0f;
     }
 
-    private static RgbW Color(float* from, UIntW stack)
-    {
-        UIntW at = MediumStack.Innermost(stack) * Stride;
-        return new(FloatW.Gather(from, at), FloatW.Gather(from + 1, at), FloatW.Gather(from + 2, at));
-    }
+    private static RgbW Color(float* from, UIntW stack) => RgbW.Gather(from, MediumStack.Innermost(stack) * Stride);
 }

@@ -46,8 +46,7 @@ internal sealed unsafe class PlacedGrid(VolumeGrid grid, Transform place, GridIn
         {
             UIntW point = Row(FloatW.Floor(at.Z), grid.Depth, (uint)(grid.Width * grid.Height * _stride))
                 + Row(FloatW.Floor(at.Y), grid.Height, (uint)(grid.Width * _stride)) + Row(FloatW.Floor(at.X), grid.Width, (uint)_stride);
-            FloatW first = FloatW.Gather(values, point);
-            value = _stride == 1 ? new(first, first, first) : new(first, FloatW.Gather(values + 1, point), FloatW.Gather(values + 2, point));
+            value = _stride == 1 ? Same(FloatW.Gather(values, point)) : RgbW.Gather(values, point);
             return;
         }
 
@@ -58,12 +57,27 @@ internal sealed unsafe class PlacedGrid(VolumeGrid grid, Transform place, GridIn
         UIntW b = y1 + z0;
         UIntW c = y0 + z1;
         UIntW d = y1 + z1;
-        FloatW Mixed(float* of) => Mix(
-            Mix(Line(of, a + x0, a + x1, x), Line(of, b + x0, b + x1, x), y),
-            Mix(Line(of, c + x0, c + x1, x), Line(of, d + x0, d + x1, x), y),
-            z);
-        FloatW one = Mixed(values);
-        value = _stride == 1 ? new(one, one, one) : new(one, Mixed(values + 1), Mixed(values + 2));
+        if (_stride > 1)
+        {
+            RgbW Line(UIntW row) => Mix(RgbW.Gather(values, row + x0), RgbW.Gather(values, row + x1), x);
+            value = Mix(Mix(Line(a), Line(b), y), Mix(Line(c), Line(d), y), z);
+        }
+        else if (UIntW.Equal(x1, x0 + 1u).Bits == MaskW.All.Bits)
+        {
+            FloatW Line(UIntW row)
+            {
+                FloatW.Gather(values, row, out FloatW low, out FloatW high);
+                return Mix(low, high, x);
+            }
+
+            value = Same(Mix(Mix(Line(a + x0), Line(b + x0), y), Mix(Line(c + x0), Line(d + x0), y), z));
+        }
+        else
+        {
+            // Where the grid ends.
+            FloatW Line(UIntW row) => Mix(FloatW.Gather(values, row + x0), FloatW.Gather(values, row + x1), x);
+            value = Same(Mix(Mix(Line(a), Line(b), y), Mix(Line(c), Line(d), y), z));
+        }
     }
 
     /// <summary>The least and the most that a channel comes to in a block of voxels, or a little beside it.</summary>
@@ -117,9 +131,11 @@ internal sealed unsafe class PlacedGrid(VolumeGrid grid, Transform place, GridIn
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     private UIntW Row(FloatW i, int count, uint stride) => FloatW.Max(0f, FloatW.Min(wrapping.Index(i, count), count - 1)).ToIntInRange() * stride;
 
-    [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    private static FloatW Line(float* values, UIntW low, UIntW high, FloatW part) => Mix(FloatW.Gather(values, low), FloatW.Gather(values, high), part);
+    private static RgbW Same(FloatW value) => new(value, value, value);
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     private static FloatW Mix(FloatW a, FloatW b, FloatW t) => FloatW.MultiplyAdd(b - a, t, a);
+
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    private static RgbW Mix(in RgbW a, in RgbW b, FloatW t) => new(Mix(a.R, b.R, t), Mix(a.G, b.G, t), Mix(a.B, b.B, t));
 }

@@ -253,6 +253,54 @@ public readonly unsafe struct FloatW
         return PickAny(table, lanes);
     }
 
+    /// <summary>table[first] and table[first + 1] for indices in a register, each below 2³¹: a load takes both.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public static void Gather(float* table, UIntW first, out FloatW a, out FloatW b)
+    {
+        if (Vector<float>.Count == 8 && Avx.IsSupported)
+        {
+            Gather8(table, first.V.AsVector256(), out Vector256<float> x, out Vector256<float> y);
+            (a, b) = (new(x.AsVector()), new(y.AsVector()));
+        }
+        else if (Vector<float>.Count == 16 && Avx.IsSupported)
+        {
+            Vector512<uint> i = first.V.AsVector512();
+            Gather8(table, i.GetLower(), out Vector256<float> lowX, out Vector256<float> lowY);
+            Gather8(table, i.GetUpper(), out Vector256<float> x, out Vector256<float> y);
+            (a, b) = (new(Vector512.Create(lowX, x).AsVector()), new(Vector512.Create(lowY, y).AsVector()));
+        }
+        else
+        {
+            (a, b) = (Gather(table, first), Gather(table + 1, first));
+        }
+    }
+
+    /// <summary>
+    /// table[first], table[first + 1] and table[first + 2] for indices in a register, each below 2³¹: a load takes all three, and one number behind them, which must
+    /// be readable. 0.4 of the time of three gathers.
+    /// </summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public static void Gather(float* table, UIntW first, out FloatW a, out FloatW b, out FloatW c)
+    {
+        if (Vector<float>.Count == 8 && Avx.IsSupported)
+        {
+            Gather8(table, first.V.AsVector256(), out Vector256<float> x, out Vector256<float> y, out Vector256<float> z);
+            (a, b, c) = (new(x.AsVector()), new(y.AsVector()), new(z.AsVector()));
+        }
+        else if (Vector<float>.Count == 16 && Avx.IsSupported)
+        {
+            Vector512<uint> i = first.V.AsVector512();
+            Gather8(table, i.GetLower(), out Vector256<float> lowX, out Vector256<float> lowY, out Vector256<float> lowZ);
+            Gather8(table, i.GetUpper(), out Vector256<float> x, out Vector256<float> y, out Vector256<float> z);
+            (a, b) = (new(Vector512.Create(lowX, x).AsVector()), new(Vector512.Create(lowY, y).AsVector()));
+            c = new(Vector512.Create(lowZ, z).AsVector());
+        }
+        else
+        {
+            (a, b, c) = (Gather(table, first), Gather(table + 1, first), Gather(table + 2, first));
+        }
+    }
+
     /// <summary>
     /// Stores the lanes whose bit is set, next to one another. Whole registers may be written: what lies up to
     /// <see cref="Count"/> floats behind <paramref name="to"/> must be free to overwrite.
@@ -281,6 +329,38 @@ public readonly unsafe struct FloatW
                 }
             }
         }
+    }
+
+    // Columns 0 and 1 of eight rows. Indices leave the register two at a time.
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    private static void Gather8(float* table, Vector256<uint> first, out Vector256<float> x, out Vector256<float> y)
+    {
+        Vector256<ulong> i = first.AsUInt64();
+        (ulong i01, ulong i23, ulong i45, ulong i67) = (i[0], i[1], i[2], i[3]);
+        Vector256<float> rows0145 = Vector256.Create(Two(table + (uint)i01), Two(table + (i01 >> 32)), Two(table + (uint)i45), Two(table + (i45 >> 32))).AsSingle();
+        Vector256<float> rows2367 = Vector256.Create(Two(table + (uint)i23), Two(table + (i23 >> 32)), Two(table + (uint)i67), Two(table + (i67 >> 32))).AsSingle();
+        x = Avx.Shuffle(rows0145, rows2367, 0b10_00_10_00);
+        y = Avx.Shuffle(rows0145, rows2367, 0b11_01_11_01);
+    }
+
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    private static double Two(float* at) => *(double*)at;
+
+    // Columns 0, 1 and 2 of eight rows: a transposition.
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    private static void Gather8(float* table, Vector256<uint> first, out Vector256<float> x, out Vector256<float> y, out Vector256<float> z)
+    {
+        Vector256<ulong> i = first.AsUInt64();
+        (ulong i01, ulong i23, ulong i45, ulong i67) = (i[0], i[1], i[2], i[3]);
+        Vector256<float> rows04 = Vector256.Create(Vector128.Load(table + (uint)i01), Vector128.Load(table + (uint)i45));
+        Vector256<float> rows15 = Vector256.Create(Vector128.Load(table + (i01 >> 32)), Vector128.Load(table + (i45 >> 32)));
+        Vector256<float> rows26 = Vector256.Create(Vector128.Load(table + (uint)i23), Vector128.Load(table + (uint)i67));
+        Vector256<float> rows37 = Vector256.Create(Vector128.Load(table + (i23 >> 32)), Vector128.Load(table + (i67 >> 32)));
+        Vector256<float> xy0145 = Avx.UnpackLow(rows04, rows15);
+        Vector256<float> xy2367 = Avx.UnpackLow(rows26, rows37);
+        x = Avx.Shuffle(xy0145, xy2367, 0b01_00_01_00);
+        y = Avx.Shuffle(xy0145, xy2367, 0b11_10_11_10);
+        z = Avx.Shuffle(Avx.UnpackHigh(rows04, rows15), Avx.UnpackHigh(rows26, rows37), 0b01_00_01_00);
     }
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]

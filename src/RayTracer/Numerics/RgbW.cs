@@ -21,6 +21,14 @@ public readonly struct RgbW
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static implicit operator RgbW(Rgb c) => new(c.R, c.G, c.B);
 
+    /// <summary>The three numbers from table[first] on, for indices in a register; the one behind them must be readable.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public static unsafe RgbW Gather(float* table, UIntW first)
+    {
+        FloatW.Gather(table, first, out FloatW r, out FloatW g, out FloatW b);
+        return new(r, g, b);
+    }
+
     /// <summary>Relative luminances, with the bits of <see cref="Rgb.Luminance"/>.</summary>
     public FloatW Luminance
     {

@@ -145,6 +145,22 @@ public readonly unsafe struct UIntW
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static UIntW Gather(uint* table, UIntW index) => FloatW.Gather((float*)table, index).AsUInt();
 
+    /// <summary>table[first] and table[first + 1], as <see cref="FloatW.Gather(float*, UIntW, out FloatW, out FloatW)"/>.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public static void Gather(uint* table, UIntW first, out UIntW a, out UIntW b)
+    {
+        FloatW.Gather((float*)table, first, out FloatW x, out FloatW y);
+        (a, b) = (x.AsUInt(), y.AsUInt());
+    }
+
+    /// <summary>table[first], table[first + 1] and table[first + 2], as <see cref="FloatW.Gather(float*, UIntW, out FloatW, out FloatW, out FloatW)"/>.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public static void Gather(uint* table, UIntW first, out UIntW a, out UIntW b, out UIntW c)
+    {
+        FloatW.Gather((float*)table, first, out FloatW x, out FloatW y, out FloatW z);
+        (a, b, c) = (x.AsUInt(), y.AsUInt(), z.AsUInt());
+    }
+
     /// <summary>Stores the lanes whose bit is set, next to one another (see <see cref="FloatW.Compress"/>).</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public void Compress(uint* to, uint bits) => AsFloat().Compress((float*)to, bits);

@@ -22,6 +22,14 @@ public readonly struct Vec3W
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static implicit operator Vec3W(Vector3 v) => new(v.X, v.Y, v.Z);
 
+    /// <summary>The three numbers from table[first] on, for indices in a register; the one behind them must be readable.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public static unsafe Vec3W Gather(float* table, UIntW first)
+    {
+        FloatW.Gather(table, first, out FloatW x, out FloatW y, out FloatW z);
+        return new(x, y, z);
+    }
+
     /// <summary>Lane by lane.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static Vec3W operator +(Vec3W a, Vec3W b) => new(a.X + b.X, a.Y + b.Y, a.Z + b.Z);

@@ -17,6 +17,11 @@ internal sealed unsafe class GridDistribution
     private readonly PinnedBuffer<float> _rowsUpTo;
     private readonly PinnedBuffer<float> _columnsUpTo;
 
+    // Where to look for a number: [0, 1] is cut into as many parts as there are cells, and the entries of parts before each one end there (the guide table
+    // of Chen & Asau 1974).
+    private readonly PinnedBuffer<uint> _rowGuides;
+    private readonly PinnedBuffer<uint> _columnGuides;
+
     /// <summary>Makes the tables.</summary>
     /// <param name="columns">Number of columns.</param>
     /// <param name="rows">Number of rows.</param>
@@ -26,15 +31,18 @@ internal sealed unsafe class GridDistribution
         (_columns, _rows) = (columns, rows);
         _rowsUpTo = new(rows + 1);
         _columnsUpTo = new((columns + 1L) * rows);
+        _rowGuides = new(rows + 1);
+        _columnGuides = new((columns + 1L) * rows);
         double[] weights = new double[columns];
         double[] sums = new double[rows];
         for (int row = 0; row < rows; row++)
         {
             weigh(row, weights);
-            sums[row] = Accumulate(weights, _columnsUpTo.Pointer + ((columns + 1L) * row));
+            long first = (columns + 1L) * row;
+            sums[row] = Accumulate(weights, _columnsUpTo.Pointer + first, _columnGuides.Pointer + first);
         }
 
-        Sum = Accumulate(sums, _rowsUpTo.Pointer);
+        Sum = Accumulate(sums, _rowsUpTo.Pointer, _rowGuides.Pointer);
     }
 
     /// <summary>The sum of all weights; where it is zero, no cell can be chosen.</summary>
@@ -50,8 +58,8 @@ internal sealed unsafe class GridDistribution
     /// <param name="probability">The probability of the choice.</param>
     public void Choose(in FloatW u, in FloatW v, out UIntW column, out UIntW row, out FloatW restU, out FloatW restV, out FloatW probability)
     {
-        Search(_rowsUpTo.Pointer, 0u, (uint)_rows, v, out row, out restV, out FloatW ofRow);
-        Search(_columnsUpTo.Pointer, row * (uint)(_columns + 1), (uint)_columns, u, out column, out restU, out FloatW ofColumn);
+        Search(_rowsUpTo.Pointer, _rowGuides.Pointer, 0u, _rows, v, out row, out restV, out FloatW ofRow);
+        Search(_columnsUpTo.Pointer, _columnGuides.Pointer, row * (uint)(_columns + 1), _columns, u, out column, out restU, out FloatW ofColumn);
         probability = ofRow * ofColumn;
     }
 
@@ -59,30 +67,32 @@ internal sealed unsafe class GridDistribution
     public void Probability(in UIntW column, in UIntW row, out FloatW probability)
     {
         UIntW at = (row * (uint)(_columns + 1)) + column;
-        FloatW ofRow = FloatW.Gather(_rowsUpTo.Pointer + 1, row) - FloatW.Gather(_rowsUpTo.Pointer, row);
-        probability = ofRow * (FloatW.Gather(_columnsUpTo.Pointer + 1, at) - FloatW.Gather(_columnsUpTo.Pointer, at));
+        FloatW.Gather(_rowsUpTo.Pointer, row, out FloatW rowFrom, out FloatW rowTo);
+        FloatW.Gather(_columnsUpTo.Pointer, at, out FloatW columnFrom, out FloatW columnTo);
+        probability = (rowTo - rowFrom) * (columnTo - columnFrom);
     }
 
     // The last entry that is not above u.
-    private static void Search(float* table, UIntW first, uint count, in FloatW u, out UIntW found, out FloatW rest, out FloatW width)
+    private static void Search(float* table, uint* guides, UIntW first, int count, in FloatW u, out UIntW found, out FloatW rest, out FloatW width)
     {
-        found = 0u;
-        for (uint step = System.Numerics.BitOperations.RoundUpToPowerOf2(count) >> 1; step > 0; step >>= 1)
+        UIntW part = FloatW.Max(0f, FloatW.Min(u * count, count - 1f)).ToIntInRange();
+        UIntW.Gather(guides, first + part, out found, out UIntW last);
+        for (UIntW entries = last - found + 1u; (entries > 1u).Any;)
         {
-            // The entry behind the last cell is 1, which no u reaches.
-            UIntW next = found + step;
-            next = (next < count).Select(next, count);
-            found = (FloatW.Gather(table, first + next) <= u).Select(next, found);
+            UIntW half = entries >> 1;
+            MaskW isBelow = FloatW.Gather(table, first + found + half) <= u;
+            found = isBelow.Select(found + half, found);
+            entries = isBelow.Select(entries - half, half);
         }
 
-        FloatW before = FloatW.Gather(table, first + found);
-        width = FloatW.Gather(table + 1, first + found) - before;
+        FloatW.Gather(table, first + found, out FloatW before, out FloatW after);
+        width = after - before;
 
         // In the middle of the smallest steps of u, of which a cell may have but one.
         rest = FloatW.Min((u - before + (0.5f / Units)) / width, float.BitDecrement(1));
     }
 
-    private static double Accumulate(double[] weights, float* upTo)
+    private static double Accumulate(double[] weights, float* upTo, uint* guides)
     {
         double sum = 0;
         int count = 0;
@@ -107,6 +117,18 @@ internal sealed unsafe class GridDistribution
             before += weights[i];
             seen += weights[i] > 0 ? 1 : 0;
             upTo[i + 1] = i >= last ? 1 : (float)((seen + double.Floor(before * scale)) / Units);
+        }
+
+        uint entry = 0;
+        for (int part = 0; part <= weights.Length; part++)
+        {
+            // Rounded as lanes round: an entry of an earlier part than a number's is below the number.
+            while (entry < weights.Length && (int)(upTo[entry + 1] * weights.Length) < part)
+            {
+                entry++;
+            }
+
+            guides[part] = entry;
         }
 
         return sum;

@@ -159,10 +159,10 @@ internal sealed unsafe class PixelFilter
         FloatW outer = FloatW.MultiplyAdd(distance - _signChange, _outerCellsPerPixel, _cellsBefore);
         FloatW cells = (distance < _signChange).Select(distance * _cellsPerPixel, outer);
         UIntW cell = FloatW.Min(cells, Cells - 1).ToIntInRange();
-        FloatW start = FloatW.Gather(_place, cell);
-        FloatW part = (distance - start) / (FloatW.Gather(_place + 1, cell) - start);
-        FloatW near = FloatW.Gather(_density, cell);
-        FloatW density = FloatW.MultiplyAdd(FloatW.Gather(_density + 1, cell) - near, part, near);
+        FloatW.Gather(_place, cell, out FloatW start, out FloatW end);
+        FloatW.Gather(_density, cell, out FloatW near, out FloatW far);
+        FloatW part = (distance - start) / (end - start);
+        FloatW density = FloatW.MultiplyAdd(far - near, part, near);
         return (distance < _radius).Select(FloatW.Max(0.5f * density, 0f), 0f);
     }
 
@@ -183,10 +183,10 @@ internal sealed unsafe class PixelFilter
         }
 
         // Within a cell the density is a + slope·x, and its integral the rest.
-        FloatW start = FloatW.Gather(_place, cell);
-        FloatW width = FloatW.Gather(_place + 1, cell) - start;
-        FloatW a = FloatW.Gather(_density, cell);
-        FloatW slope = (FloatW.Gather(_density + 1, cell) - a) / width;
+        FloatW.Gather(_place, cell, out FloatW start, out FloatW end);
+        FloatW.Gather(_density, cell, out FloatW a, out FloatW b);
+        FloatW width = end - start;
+        FloatW slope = (b - a) / width;
         FloatW rest = share - FloatW.Gather(_share, cell);
         FloatW root = FloatW.Sqrt(FloatW.Max(FloatW.MultiplyAdd(a, a, 2f * slope * rest), 0f));
         FloatW inside = 2f * rest / FloatW.Max(a + root, 1e-30f);

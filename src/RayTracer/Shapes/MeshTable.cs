@@ -90,9 +90,7 @@ internal sealed unsafe class MeshTable : SurfaceTable
     {
         uint* indices = (uint*)_indices.Pointer;
         UIntW first = primitives.Offset * 3u;
-        UIntW i = UIntW.Gather(indices, first);
-        UIntW j = UIntW.Gather(indices, first + 1u);
-        UIntW k = UIntW.Gather(indices, first + 2u);
+        UIntW.Gather(indices, first, out UIntW i, out UIntW j, out UIntW k);
         Vec3W a = Read(_positions.Pointer, i);
         Vec3W toB = Read(_positions.Pointer, j) - a;
         Vec3W toC = Read(_positions.Pointer, k) - a;
@@ -146,16 +144,14 @@ internal sealed unsafe class MeshTable : SurfaceTable
         uint* indices = (uint*)_indices.Pointer;
         float* uv = (float*)_uv.Pointer;
         UIntW first = primitives.Offset * 3u;
-        UIntW i = UIntW.Gather(indices, first);
-        UIntW j = UIntW.Gather(indices, first + 1u);
-        UIntW k = UIntW.Gather(indices, first + 2u);
+        UIntW.Gather(indices, first, out UIntW i, out UIntW j, out UIntW k);
         Vec3W a = Read(_positions.Pointer, i);
         Vec3W toB = Read(_positions.Pointer, j) - a;
         Vec3W toC = Read(_positions.Pointer, k) - a;
-        FloatW uB = FloatW.Gather(uv, j * 2u) - FloatW.Gather(uv, i * 2u);
-        FloatW uC = FloatW.Gather(uv, k * 2u) - FloatW.Gather(uv, i * 2u);
-        FloatW vB = FloatW.Gather(uv + 1, j * 2u) - FloatW.Gather(uv + 1, i * 2u);
-        FloatW vC = FloatW.Gather(uv + 1, k * 2u) - FloatW.Gather(uv + 1, i * 2u);
+        FloatW.Gather(uv, i * 2u, out FloatW uA, out FloatW vA);
+        FloatW.Gather(uv, j * 2u, out FloatW uB, out FloatW vB);
+        FloatW.Gather(uv, k * 2u, out FloatW uC, out FloatW vC);
+        (uB, uC, vB, vC) = (uB - uA, uC - uA, vB - vA, vC - vA);
         FloatW inverse = 1f / FloatW.NegatedMultiplyAdd(vB, uC, uB * vC);
         surface.AlongU = Vec3W.NegatedMultiplyAdd(toC, vB, toB * vC) * inverse;
         surface.AlongV = Vec3W.NegatedMultiplyAdd(toB, uC, toC * uB) * inverse;
@@ -179,8 +175,11 @@ internal sealed unsafe class MeshTable : SurfaceTable
 
         float* uv = (float*)_uv.Pointer;
         FloatW a = 1f - b - c;
-        surface.U = FloatW.MultiplyAdd(FloatW.Gather(uv, k * 2u), c, FloatW.MultiplyAdd(FloatW.Gather(uv, j * 2u), b, FloatW.Gather(uv, i * 2u) * a));
-        surface.V = FloatW.MultiplyAdd(FloatW.Gather(uv + 1, k * 2u), c, FloatW.MultiplyAdd(FloatW.Gather(uv + 1, j * 2u), b, FloatW.Gather(uv + 1, i * 2u) * a));
+        FloatW.Gather(uv, i * 2u, out FloatW uA, out FloatW vA);
+        FloatW.Gather(uv, j * 2u, out FloatW uB, out FloatW vB);
+        FloatW.Gather(uv, k * 2u, out FloatW uC, out FloatW vC);
+        surface.U = FloatW.MultiplyAdd(uC, c, FloatW.MultiplyAdd(uB, b, uA * a));
+        surface.V = FloatW.MultiplyAdd(vC, c, FloatW.MultiplyAdd(vB, b, vA * a));
     }
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
@@ -189,12 +188,8 @@ internal sealed unsafe class MeshTable : SurfaceTable
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     private static FloatW Clamp(FloatW x, FloatW most) => FloatW.Min(FloatW.Max(x, 0f), most);
 
-    private static Vec3W Read(void* table, UIntW index)
-    {
-        float* from = (float*)table;
-        UIntW first = index * 3u;
-        return new(FloatW.Gather(from, first), FloatW.Gather(from + 1, first), FloatW.Gather(from + 2, first));
-    }
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    private static Vec3W Read(void* table, UIntW index) => Vec3W.Gather((float*)table, index * 3u);
 
     private static Vec3W Mix(void* table, UIntW i, UIntW j, UIntW k, FloatW b, FloatW c) =>
         Vec3W.MultiplyAdd(Read(table, k), c, Vec3W.MultiplyAdd(Read(table, j), b, Read(table, i) * (1f - b - c)));

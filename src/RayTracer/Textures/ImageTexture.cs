@@ -209,11 +209,7 @@ internal sealed unsafe class ImageTexture : Texture
     }
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    private RgbW Texel(UIntW column, UIntW row)
-    {
-        UIntW texel = row + column;
-        return new(FloatW.Gather(_texels, texel), FloatW.Gather(_texels + 1, texel), FloatW.Gather(_texels + 2, texel));
-    }
+    private RgbW Texel(UIntW column, UIntW row) => RgbW.Gather(_texels, row + column);
 
     // Where a column and a row begin, in floats. Indices are whole numbers in floats; the clamp also catches NaN, so no lane can
     // read outside the picture.

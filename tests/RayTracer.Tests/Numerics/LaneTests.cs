@@ -106,6 +106,35 @@ public unsafe class LaneTests
     }
 
     [Fact]
+    public void Entries_that_lie_side_by_side_are_gathered_together()
+    {
+        float* table = stackalloc float[64 + 3];
+        for (int i = 0; i < 64 + 3; i++)
+        {
+            table[i] = i * 3;
+        }
+
+        for (uint turn = 0; turn < 64; turn++)
+        {
+            UIntW first = (UIntW.Iota * 7u + turn) & 63u;
+            FloatW.Gather(table, first, out FloatW a, out FloatW b);
+            Vec3W three = Vec3W.Gather(table, first);
+            RgbW color = RgbW.Gather(table, first);
+            UIntW.Gather((uint*)table, first, out UIntW p, out UIntW q);
+            UIntW.Gather((uint*)table, first, out UIntW x, out UIntW y, out UIntW z);
+            for (int lane = 0; lane < FloatW.Count; lane++)
+            {
+                float* at = table + first[lane];
+                Assert.Equal((at[0], at[1]), (a[lane], b[lane]));
+                Assert.Equal((at[0], at[1], at[2]), (three.X[lane], three.Y[lane], three.Z[lane]));
+                Assert.Equal((at[0], at[1], at[2]), (color.R[lane], color.G[lane], color.B[lane]));
+                Assert.Equal((at[0], at[1]), (p.AsFloat()[lane], q.AsFloat()[lane]));
+                Assert.Equal((at[0], at[1], at[2]), (x.AsFloat()[lane], y.AsFloat()[lane], z.AsFloat()[lane]));
+            }
+        }
+    }
+
+    [Fact]
     public void Masks_select_and_count_lanes()
     {
         for (int n = 0; n <= FloatW.Count; n++)

@@ -63,6 +63,52 @@ public class GridDistributionTests
         ErrorBudget.Warps.Check(rests.P(), "what is left of the numbers that choose cells");
     }
 
+    [Theory]
+    [InlineData(1)]
+    [InlineData(2)]
+    [InlineData(7)]
+    [InlineData(64)]
+    [InlineData(1000)]
+    public void A_number_chooses_the_last_cell_that_does_not_begin_above_it(int columns)
+    {
+        // A sun, a faint sky, and gaps without light.
+        GridDistribution grid = new(columns, 1, (_, weights) =>
+        {
+            for (int i = 0; i < columns; i++)
+            {
+                weights[i] = i == columns / 3 ? 1000 : i % 5 == 4 ? 0 : 1 + (i % 3);
+            }
+        });
+        float begin = 0;
+        for (uint cell = 0; cell < columns; cell++)
+        {
+            grid.Probability(cell, 0u, out FloatW probability);
+            float end = begin + probability[0];
+            if (end > begin)
+            {
+                foreach (float u in new[] { begin, float.BitIncrement(begin), (begin + end) / 2, float.BitDecrement(end) })
+                {
+                    // A number in other lanes does not disturb it.
+                    FloatW numbers = (UIntW.Iota & 1u).ToFloat() * 0.75f;
+                    numbers = MaskW.First(1).Select(u, numbers);
+                    grid.Choose(numbers, 0.5f, out UIntW column, out _, out _, out _, out _);
+                    Assert.Equal(cell, column[0]);
+                }
+            }
+
+            begin = end;
+        }
+
+        Assert.Equal(1, begin);
+    }
+
+    [Fact]
+    public void What_is_no_number_chooses_some_cell()
+    {
+        s_grid.Choose(float.NaN, float.PositiveInfinity, out UIntW column, out UIntW row, out _, out _, out _);
+        Assert.True(column[0] < Columns && row[0] < Rows);
+    }
+
     [Fact]
     public void The_faintest_cell_beside_the_brightest_can_be_chosen()
     {

@@ -53,7 +53,7 @@ internal sealed unsafe class Connections(Scene scene, LightPass pass, Gathering 
             float* numbers = (float*)pass.Vertices.Vertices;
             UIntW number = UIntW.Gather((uint*)numbers + 12, at) & PathState.VertexMask;
             has &= camera.Number + number + 2u < maxDepth;
-            Vec3W to = new Vec3W(FloatW.Gather(numbers, at), FloatW.Gather(numbers + 1, at), FloatW.Gather(numbers + 2, at)) - surface.Point;
+            Vec3W to = Vec3W.Gather(numbers, at) - surface.Point;
             FloatW distance2 = Vec3W.Dot(to, to);
             Vec3W direction = to * (1f / FloatW.Sqrt(distance2));
             Wait(group, ref surface, camera, vertex, direction, has & distance2 > 0f);

@@ -137,7 +137,7 @@ internal sealed unsafe class PhotonGrid
         {
             UIntW at = has.Select(next, 0u) * Photon.Numbers;
             float* numbers = (float*)_photons.Pointer;
-            Vec3W point = new(FloatW.Gather(numbers, at), FloatW.Gather(numbers + 1, at), FloatW.Gather(numbers + 2, at));
+            Vec3W point = Vec3W.Gather(numbers, at);
             Vec3W away = point - points;
             MaskW isNear = has & Vec3W.Dot(away, away) < _radius2;
             if (isNear.Any)

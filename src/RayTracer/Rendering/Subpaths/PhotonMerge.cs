@@ -109,9 +109,7 @@ internal sealed unsafe class PhotonMerge(LightPass pass, bool isIndirect, Strate
 
         public void LoadPoint(Photon* photons, UIntW photon)
         {
-            UIntW at = photon * Photon.Numbers;
-            float* numbers = (float*)photons;
-            Point = new(FloatW.Gather(numbers, at), FloatW.Gather(numbers + 1, at), FloatW.Gather(numbers + 2, at));
+            Point = Vec3W.Gather((float*)photons, photon * Photon.Numbers);
         }
 
         public void Load(Photon* photons, UIntW photon)
@@ -119,10 +117,9 @@ internal sealed unsafe class PhotonMerge(LightPass pass, bool isIndirect, Strate
             UIntW at = photon * Photon.Numbers;
             float* numbers = (float*)photons;
             State = UIntW.Gather((uint*)numbers + 3, at);
-            Direction = new(FloatW.Gather(numbers + 4, at), FloatW.Gather(numbers + 5, at), FloatW.Gather(numbers + 6, at));
-            Power = new(FloatW.Gather(numbers + 7, at), FloatW.Gather(numbers + 8, at), FloatW.Gather(numbers + 9, at));
-            Sums.Vcm = FloatW.Gather(numbers + 10, at);
-            Sums.Vm = FloatW.Gather(numbers + 11, at);
+            Direction = Vec3W.Gather(numbers + 4, at);
+            Power = RgbW.Gather(numbers + 7, at);
+            FloatW.Gather(numbers + 10, at, out Sums.Vcm, out Sums.Vm);
         }
     }
 }
