@@ -198,6 +198,10 @@ internal sealed unsafe class SampleAccumulator(int maxPixels)
     /// <summary>What the film takes of a sample.</summary>
     internal static Rgb Clamp(Rgb value) => new(Clamp(value.R), Clamp(value.G), Clamp(value.B));
 
+    /// <summary>What the film takes of a channel of samples.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    internal static FloatW Clamp(FloatW channel) => FloatW.Max(-Film.SampleLimit, FloatW.Min(channel, Film.SampleLimit));
+
     private static float Clamp(float channel) => float.Clamp(channel, -Film.SampleLimit, Film.SampleLimit);
 
     /// <summary>Hands everything to the film.</summary>

@@ -11,13 +11,16 @@ namespace RayTracer.Session;
 /// </summary>
 internal sealed unsafe class MovingHistory
 {
-    /// <summary>The edge of the squares in which old and new light are compared.</summary>
-    public const int Square = 8;
+    /// <summary>The height of the blocks in which old and new light are compared.</summary>
+    public const int Block = 8;
+
+    // The width of a block, of whole registers.
+    private const int Across = 16;
 
     // So many pictures at most are averaged.
     private const float Longest = 32;
 
-    // Standard errors by which the old mean of a square may differ from the new one.
+    // Standard errors by which the old mean of a block may differ from the new one.
     private const float Trusted = 2;
 
     // Points are of one surface within a part of the distance, along its normal.
@@ -40,44 +43,46 @@ internal sealed unsafe class MovingHistory
     /// <summary>Keeps smoother light for the next picture.</summary>
     public void Keep(MovingPlanes light) => new Span<float>(light.Red, 3 * _rows.Size).CopyTo(new(_gathered.Pointer, 3 * _rows.Size));
 
-    /// <summary>Mixes the new light of a row of squares with the old.</summary>
+    /// <summary>Mixes the new light of a row of blocks with the old.</summary>
     /// <param name="before">What was gathered before.</param>
     /// <param name="light">The new light, which becomes the mean; its variance is found.</param>
     /// <param name="where">Finds where in the earlier picture a pixel was, and the point that was there.</param>
-    /// <param name="square">The row of squares.</param>
+    /// <param name="block">The row of blocks.</param>
     /// <param name="most">The most earlier pictures that count.</param>
-    public void Mix(MovingHistory before, MovingPlanes light, in EarlierPlace where, int square, float most)
+    public void Mix(MovingHistory before, MovingPlanes light, in EarlierPlace where, int block, float most)
     {
-        (int top, int bottom) = (square * Square, Math.Min(_rows.Height, (square + 1) * Square));
-        for (int left = 0; left < _rows.Width; left += Square)
+        (int top, int bottom) = (block * Block, Math.Min(_rows.Height, (block + 1) * Block));
+        Gathered* olds = stackalloc Gathered[Block * Across / FloatW.Count];
+        for (int left = 0; left < _rows.Width; left += Across)
         {
-            int right = Math.Min(_rows.Width, left + Square);
+            int right = Math.Min(_rows.Width, left + Across);
             Statistics statistics = default;
+            Gathered* old = olds;
             for (int y = top; y < bottom; y++)
             {
                 for (int x = left; x < right; x += FloatW.Count)
                 {
                     MaskW active = MaskW.First(right - x);
-                    Find(before, where, x, y, active, out Gathered old);
-                    old.Store(_gathered, _rows, _rows.At(x, y), active);
-                    statistics.Add(light[_rows.At(x, y)].Luminance, old, active);
+                    Find(before, where, x, y, active, out *old);
+                    statistics.Add(light[_rows.At(x, y)].Luminance, *old++, active);
                 }
             }
 
             (float trusted, float variance) = (Math.Min(most, Longest) * statistics.Trust(Trusted), statistics.Variance);
+            old = olds;
             for (int y = top; y < bottom; y++)
             {
                 for (int x = left; x < right; x += FloatW.Count)
                 {
-                    Mix(light, _rows.At(x, y), MaskW.First(right - x), trusted, variance);
+                    Mix(light, *old++, _rows.At(x, y), trusted, variance);
                 }
             }
         }
     }
 
-    private void Mix(MovingPlanes light, int at, in MaskW active, float most, float variance)
+    // What lanes beside the picture write lies in its margin.
+    private void Mix(MovingPlanes light, in Gathered old, int at, float most, float variance)
     {
-        Gathered old = new(_gathered, _rows, new((uint)at));
         RgbW color = light[at];
         FloatW luminance = color.Luminance;
         FloatW length = FloatW.Min(old.Length, most) + 1f;
@@ -89,14 +94,14 @@ internal sealed unsafe class MovingHistory
             Mean = old.Mean + ((luminance - old.Mean) * share),
             Square = old.Square + (((luminance * luminance) - old.Square) * share),
         };
-        mixed.Store(_gathered, _rows, at, active);
-        light[at] = active.Select(mixed.Light, color);
+        mixed.Store(_gathered, _rows, at);
+        light[at] = mixed.Light;
 
-        // A short history knows little of its noise: that of the square is taken.
+        // A short history knows little of its noise: that of the block is taken.
         FloatW own = FloatW.Max(mixed.Square - (mixed.Mean * mixed.Mean), 0f);
         FloatW known = FloatW.Min(FloatW.Max((length - 2f) * 0.25f, 0f), 1f);
-        FloatW noise = UIntW.Equal(UIntW.Load(Guides.Things + at), 0u).Select(0f, ((own * known) + (variance * (1f - known))) * share);
-        active.Select(noise, FloatW.Load(light.Variance + at)).Store(light.Variance + at);
+        FloatW noise = ((own * known) + (variance * (1f - known))) * share;
+        UIntW.Equal(UIntW.Load(Guides.Things + at), 0u).Select(0f, noise).Store(light.Variance + at);
     }
 
     // Takes the history of pixels from where they were, means of the four pixels around each place.
@@ -158,8 +163,6 @@ internal sealed unsafe class MovingHistory
         private readonly uint _first;
         private readonly bool _isRow;
 
-        public Taps(uint first) => (_first, _isRow) = (first, true);
-
         public Taps(UIntW at)
         {
             (_at, _first) = (at, at[0]);
@@ -206,21 +209,17 @@ internal sealed unsafe class MovingHistory
             (Length, Mean, Square) = (Length * scale, Mean * scale, Square * scale);
         }
 
-        // Beside the lanes in use may lie another square's pixels.
-        public readonly void Store(PinnedBuffer<float> planes, PaddedRows rows, int at, in MaskW active)
+        public readonly void Store(PinnedBuffer<float> planes, PaddedRows rows, int at)
         {
             float* p = planes.Pointer + at;
             nint size = rows.Size;
-            Store(p, Light.R, active);
-            Store(p + size, Light.G, active);
-            Store(p + (2 * size), Light.B, active);
-            Store(p + (3 * size), Length, active);
-            Store(p + (4 * size), Mean, active);
-            Store(p + (5 * size), Square, active);
+            Light.R.Store(p);
+            Light.G.Store(p + size);
+            Light.B.Store(p + (2 * size));
+            Length.Store(p + (3 * size));
+            Mean.Store(p + (4 * size));
+            Square.Store(p + (5 * size));
         }
-
-        [MethodImpl(MethodImplOptions.AggressiveInlining)]
-        private static void Store(float* to, in FloatW value, in MaskW active) => active.Select(value, FloatW.Load(to)).Store(to);
     }
 
     private ref struct Statistics

@@ -20,6 +20,9 @@ internal sealed unsafe class MovingView
     // A square, as jittered samples need; after so many pictures they come again.
     private const int Samples = 1024;
     private const float DarkestAlbedo = 0.04f;
+
+    // Samples lie where pixels have their middles: elsewhere, edges would be ragged.
+    private static readonly FilterDescription s_middle = new() { Radius = 0.01f };
     private static readonly int[] s_steps = [1, 3];
     private readonly MovingThings _things = new();
     private readonly LightLayers _lights = new();
@@ -100,7 +103,7 @@ internal sealed unsafe class MovingView
 
     private bool Trace(ViewportScene wanted, int width, int height, int sample, CancellationToken cancellation)
     {
-        RenderDescription render = wanted.Scene.Render with { Width = width, Height = height, SamplesPerPixel = Samples, Splitting = 1, Integrator = Traced(wanted.Scene.Render) };
+        RenderDescription render = wanted.Scene.Render with { Width = width, Height = height, SamplesPerPixel = Samples, Splitting = 1, Filter = s_middle, Integrator = Traced(wanted.Scene.Render) };
         Scene scene = wanted.Scene.WithView(wanted.Camera, render, new((_, _) => new(1, 1))) ?? throw new InvalidOperationException("The moving view cannot be rendered.");
         _now = _histories[_pictures % 2];
         SeenPlanes seen = _now.Guides.Seen;
@@ -158,7 +161,7 @@ internal sealed unsafe class MovingView
         MovingRows.ForEach(light.Rows.Height, threads, y => Divide(wanted, light, y));
         MovingHistory before = _histories[(_pictures + 1) % 2];
         EarlierPlace where = new(_before, _camera, _things.Moves());
-        MovingRows.ForEach((light.Rows.Height + MovingHistory.Square - 1) / MovingHistory.Square, threads, square => _now.Mix(before, light, where, square, most));
+        MovingRows.ForEach((light.Rows.Height + MovingHistory.Block - 1) / MovingHistory.Block, threads, block => _now.Mix(before, light, where, block, most));
         foreach (int step in s_steps)
         {
             EdgeFilter.Smooth(light, _now.Guides, step, other, threads);

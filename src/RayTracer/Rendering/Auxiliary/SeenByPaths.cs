@@ -68,14 +68,20 @@ internal sealed unsafe class SeenByPaths(Scene scene, SeenPlanes planes, SeenThr
 
         uint clear = material.Traits.Specular == SpecularLobe.None ? 0 : beyond.IsClear(material, surface, out _).Bits & first;
         Mark(stream, index, clear, SeesBeyond);
+        uint opaque = first & ~clear;
+        if (opaque == 0)
+        {
+            return;
+        }
+
         material.Albedo(surface, out RgbW albedo);
-        for (uint rest = first & ~clear; rest != 0; rest &= rest - 1)
+        float* seen = stackalloc float[SeenPlanes.Kinds * FloatW.Count];
+        SeenPlanes.Put(surface.Point, surface.Facing, albedo, seen);
+        for (uint rest = opaque; rest != 0; rest &= rest - 1)
         {
             int lane = BitOperations.TrailingZeroCount(rest);
             int ray = (int)index[lane];
-            planes.Take(
-                Mark(stream, ray, Seen), FirstHits.At(surface.Point, lane), FirstHits.At(surface.Facing, lane),
-                new(albedo.R[lane], albedo.G[lane], albedo.B[lane]), SeenPlanes.SurfaceOf(scene, stream, ray));
+            planes.Take(Mark(stream, ray, Seen), seen + lane, SeenPlanes.SurfaceOf(scene, stream, ray));
         }
     }
 
@@ -103,13 +109,20 @@ internal sealed unsafe class SeenByPaths(Scene scene, SeenPlanes planes, SeenThr
     public override void EndStep(FinishedPaths finished, PathStream next)
     {
         // Of a single sample, the weight of a pixel filter would only be noise.
-        float* red = finished.Radiance;
-        float* green = red + finished.Stride;
-        float* blue = green + finished.Stride;
-        for (int i = 0; i < finished.Count; i++)
+        float* first = finished.Radiance;
+        int stride = finished.Stride;
+        float* light = stackalloc float[3 * FloatW.Count];
+        for (int i = 0; i < finished.Count; i += FloatW.Count)
         {
-            Rgb light = new(red[i], green[i], blue[i]);
-            planes.TakeLight(_places[finished.Path[i]], float.IsFinite(light.R + light.G + light.B) ? SampleAccumulator.Clamp(light) : default);
+            (FloatW red, FloatW green, FloatW blue) = (FloatW.Load(first + i), FloatW.Load(first + stride + i), FloatW.Load(first + (2 * stride) + i));
+            MaskW isFinite = FloatW.Abs(red + green + blue) < float.PositiveInfinity;
+            isFinite.Select(SampleAccumulator.Clamp(red), 0f).Store(light);
+            isFinite.Select(SampleAccumulator.Clamp(green), 0f).Store(light + FloatW.Count);
+            isFinite.Select(SampleAccumulator.Clamp(blue), 0f).Store(light + (2 * FloatW.Count));
+            for (int lane = 0; lane < Math.Min(FloatW.Count, finished.Count - i); lane++)
+            {
+                planes.TakeLight(_places[finished.Path[i + lane]], new(light[lane], light[FloatW.Count + lane], light[(2 * FloatW.Count) + lane]));
+            }
         }
 
         finished.Clear();

@@ -10,6 +10,9 @@ namespace RayTracer.Rendering;
 /// </summary>
 internal sealed unsafe class SeenPlanes
 {
+    /// <summary>The planes of what is seen: points, normals and albedo, three each.</summary>
+    public const int Kinds = 9;
+
     // How far what surrounds everything stands: points there move with the direction alone.
     private const float Beyond = 1e6f;
 
@@ -66,6 +69,39 @@ internal sealed unsafe class SeenPlanes
 
     /// <summary>Takes the light of a pixel.</summary>
     public void TakeLight(int at, Rgb light) => Store(9, at, new(light.R, light.G, light.B));
+
+    /// <summary>Writes what rays see side by side, for <see cref="Take(int, float*, SurfaceName)"/>.</summary>
+    /// <param name="point">The points, as far behind a mirror as the light has gone.</param>
+    /// <param name="normal">The unit normals there.</param>
+    /// <param name="albedo">The part of the light that comes from there to the camera.</param>
+    /// <param name="to">Takes <see cref="Kinds"/> registers.</param>
+    public static void Put(in Vec3W point, in Vec3W normal, in RgbW albedo, float* to)
+    {
+        point.X.Store(to);
+        point.Y.Store(to + FloatW.Count);
+        point.Z.Store(to + (2 * FloatW.Count));
+        normal.X.Store(to + (3 * FloatW.Count));
+        normal.Y.Store(to + (4 * FloatW.Count));
+        normal.Z.Store(to + (5 * FloatW.Count));
+        albedo.R.Store(to + (6 * FloatW.Count));
+        albedo.G.Store(to + (7 * FloatW.Count));
+        albedo.B.Store(to + (8 * FloatW.Count));
+    }
+
+    /// <summary>Takes what a ray sees.</summary>
+    /// <param name="at">The place of its pixel.</param>
+    /// <param name="seen">Its lane of what <see cref="Put"/> has written.</param>
+    /// <param name="surface">The surface.</param>
+    public void Take(int at, float* seen, SurfaceName surface)
+    {
+        float* to = _first + at;
+        for (int kind = 0; kind < Kinds; kind++, to += _size, seen += FloatW.Count)
+        {
+            *to = *seen;
+        }
+
+        Surface[at] = surface;
+    }
 
     /// <summary>Takes what a ray sees.</summary>
     /// <param name="at">The place of its pixel.</param>
