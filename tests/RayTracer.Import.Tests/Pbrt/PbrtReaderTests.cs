@@ -284,6 +284,16 @@ public sealed class PbrtReaderTests : IDisposable
     }
 
     [Fact]
+    public void A_coat_of_two_roughnesses_has_their_mean_where_scenes_are_read_leniently()
+    {
+        ImportSettings.IsLenient = true;
+        using PbrtTestScene scene = new();
+        SceneReadResult read = PbrtReader.Read(scene.Write("scene.pbrt", """Material "coateddiffuse" "float uroughness" 0.1 "float vroughness" 0.4 "bool remaproughness" false Shape "sphere" """));
+        Assert.Equal(Severity.Warning, Assert.Single(read.Diagnostics).Severity);
+        Assert.Equal(0.2f, ((RoughPlasticMaterialDescription)read.Description!.Shapes[0].Material).Alpha, 1e-6f);
+    }
+
+    [Fact]
     public void Metal_under_a_coat_has_the_roughness_of_both()
     {
         CoatedConductorMaterialDescription metal = (CoatedConductorMaterialDescription)MaterialOf(
