@@ -1,4 +1,5 @@
-// Makes the grids of the scenes beside it: `dotnet run scenes/media/volumes.cs` writes a cloud and a plume of smoke, a byte for each point.
+// Makes the grids of the scenes beside it: `dotnet run scenes/media/volumes.cs` writes a cloud, a plume of smoke, and a fire with its temperatures, a byte for each point; and
+// fibres, matrices of six numbers of two bytes for each point.
 #:property PublishAot=false
 #:property TieredCompilation=true
 using System.Numerics;
@@ -39,6 +40,27 @@ Save("smoke", 72, 128, 72, p =>
     return edge * Smooth(height / 0.02f) * Smooth((1 - height) / 0.25f) * (0.15f + (0.85f * MathF.Exp(-1.8f * height)));
 });
 
+// A fire: tongues that noise tears apart the higher they are; hottest within and below.
+Save("fire", 64, 96, 64, p => Smooth(Flame(p) / 0.25f) * (1 - (0.7f * p.Y)));
+Save("heat", 64, 96, 64, p => 0.45f + (0.55f * Smooth((Flame(p) + 0.15f) / 0.9f) * (1 - (0.45f * p.Y))));
+
+// Fibres around the vertical axis, as of thread on a ball, and outwards, as of velvet.
+Fibres("around", p => new(-p.Z, 0, p.X));
+Fibres("outward", p => p);
+
+// Above 0 where there is fire, and the more the deeper within.
+float Flame(Vector3 p)
+{
+    float height = p.Y;
+    Vector3 rising = new(p.X * 5, (p.Y * 3.2f) - 5, p.Z * 5);
+    Vector3 sway = new(Noise(rising, 3, 51) - 0.5f, 0, Noise(rising + new Vector3(40, 0, 0), 3, 52) - 0.5f);
+    Vector3 at = p + (sway * (0.08f + (0.55f * height)));
+    float far = Vector2.Distance(new(at.X, at.Z), new(0.5f, 0.5f));
+    float radius = 0.36f * MathF.Pow(1 - height, 0.75f) * Smooth((height + 0.12f) / 0.3f);
+    float tongues = Noise(new Vector3(at.X * 10, (at.Y * 4) + 3, at.Z * 10), 4, 53) - 0.5f;
+    return (1 - (far / MathF.Max(radius, 1e-3f)) + (tongues * (2 + (3.6f * height)))) * Smooth(height / 0.04f) * Smooth((1 - height) / 0.15f);
+}
+
 void Save(string name, int nx, int ny, int nz, Func<Vector3, float> density)
 {
     byte[] bytes = new byte[nx * ny * nz];
@@ -52,6 +74,24 @@ void Save(string name, int nx, int ny, int nz, Func<Vector3, float> density)
     });
     File.WriteAllBytes(Path.Combine(folder, name + ".raw"), bytes);
     Console.WriteLine($"{name}.raw: {nx}×{ny}×{nz}");
+}
+
+// Of a fibre along a unit vector t: S = 1 − 0.98 t tᵀ, as large as can be from the side and nearly nothing along it.
+void Fibres(string name, Func<Vector3, Vector3> direction)
+{
+    const int n = 16;
+    using BinaryWriter writer = new(File.Create(Path.Combine(folder, name + ".raw")));
+    for (int i = 0; i < n * n * n; i++)
+    {
+        Vector3 t = Vector3.Normalize(direction(new Vector3(i % n, i / n % n, i / (n * n)) - new Vector3((n - 1) / 2f)));
+        float[] matrix = [1 - (0.98f * t.X * t.X), 1 - (0.98f * t.Y * t.Y), 1 - (0.98f * t.Z * t.Z), -0.98f * t.X * t.Y, -0.98f * t.X * t.Z, -0.98f * t.Y * t.Z];
+        foreach (float number in matrix)
+        {
+            writer.Write((Half)number);
+        }
+    }
+
+    Console.WriteLine($"{name}.raw: {n}×{n}×{n}×6");
 }
 
 static float Smooth(float t)

@@ -73,6 +73,10 @@ internal sealed class MitsubaEmitters(ImportReading reading, MitsubaTextures tex
         {
             scene = scene with { Background = MitsubaColors.Read(emitter, "radiance", Rgb.White, isLight: true) };
         }
+        else if (emitter.Type == "sunsky")
+        {
+            scene = scene with { Environment = reading.At(emitter.Place, Sky(emitter)) };
+        }
         else if (Picture(emitter) is { } picture)
         {
             scene = scene with { Environment = reading.At(emitter.Place, picture) };
@@ -83,7 +87,7 @@ internal sealed class MitsubaEmitters(ImportReading reading, MitsubaTextures tex
     }
 
     /// <summary>True where an emitter shines from all around.</summary>
-    public static bool IsEnvironment(MitsubaObject emitter) => emitter.Type is "constant" or "envmap";
+    public static bool IsEnvironment(MitsubaObject emitter) => emitter.Type is "constant" or "envmap" || (emitter.Type == "sunsky" && emitter.Has("sun_direction"));
 
     private ImageEnvironmentDescription? Picture(MitsubaObject emitter)
     {
@@ -100,6 +104,28 @@ internal sealed class MitsubaEmitters(ImportReading reading, MitsubaTextures tex
             File = file,
             Scale = scale,
             Transform = MatrixSteps.Of(place),
+        };
+    }
+
+    // The native sky, as bright by its model as Mitsuba's is by its own, in W/(m² sr nm): it is in thousands of candelas per square metre, of which a watt of even light has 683 · 106.857 nm. Up is z there.
+    private SkyEnvironmentDescription Sky(MitsubaObject emitter)
+    {
+        const float watts = 1000 / (683 * 106.857f);
+        const float diameter = 0.533f;
+        reading.Log.Unsupported(emitter.TypePlace, $"emitters of type \"sunsky\" are not supported: {MitsubaPlugins.ReasonOf(emitter)}", "the native sky with the same sun stands in for it");
+        Transform place = emitter.Transform();
+        Vector3 toSun = place.Inverse().Vector(emitter.Vector("sun_direction") ?? Vector3.UnitZ).Unit();
+        float sky = float.Max(emitter.Float("sky_scale", 1, 0), 1e-3f);
+        return new()
+        {
+            Turbidity = float.Clamp(emitter.Float("turbidity", 3), 2, 10),
+            Ground = MitsubaColors.Read(emitter, "albedo", new(0.3f, 0.3f, 0.3f)),
+            SunElevation = float.Clamp(90 - (LaneMath.Acos(toSun.Z) * (180 / float.Pi)), 0, 90),
+            SunAzimuth = LaneMath.Atan2(toSun.X, toSun.Y) * (180 / float.Pi),
+            SunSize = float.Clamp(emitter.Float("sun_aperture", diameter) / diameter, 0.1f, 100),
+            Scale = watts * sky,
+            SunScale = emitter.Float("sun_scale", 1, 0) / sky,
+            Transform = MatrixSteps.Of(place * Transform.Rotation(Vector3.UnitX, 90)),
         };
     }
 

@@ -25,7 +25,7 @@ internal static class PbrtCoats
         float index = material.Float("eta", 1.5f, 1.0001f, 100);
         float thickness = material.Float("thickness", 0.01f, 0, 10);
         TextureDescription color = Darkened(textures.Color(material, "reflectance", new Rgb(0.5f, 0.5f, 0.5f)), index, thickness);
-        float rough = One(material, alpha);
+        float rough = One(material, alpha, "");
         return rough < 1e-3f
             ? new PlasticMaterialDescription { Color = color, RefractiveIndex = index, Nonlinear = true }
             : new RoughPlasticMaterialDescription { Color = color, RefractiveIndex = index, Nonlinear = true, Alpha = rough };
@@ -48,22 +48,30 @@ internal static class PbrtCoats
             Eta = metal.Eta,
             K = metal.K,
             SpecularReflectance = metal.SpecularReflectance,
-            Alpha = One(material, alpha),
-            CoatAlpha = One(material, coatAlpha),
+            Alpha = One(material, alpha, "conductor."),
+            CoatAlpha = One(material, coatAlpha, "interface."),
             CoatIndex = material.Float("interface.eta", 1.5f, 1, 100),
             CoatAbsorption = new(thickness, thickness, thickness),
         };
     }
 
-    private static float One(PbrtThing material, (TextureDescription U, TextureDescription V) alpha)
+    // The albedos of coats are tabled by one number.
+    private static float One(PbrtThing material, (TextureDescription U, TextureDescription V) alpha, string prefix)
     {
-        if (alpha.U is SolidTextureDescription { Color.R: var rough } && alpha.U == alpha.V)
+        if (alpha is not (SolidTextureDescription { Color.R: var along }, SolidTextureDescription { Color.R: var across }))
         {
-            return rough;
+            material.Log.Unsupported(material.PlaceOf(prefix + "roughness"), "the roughness of a coat, and of metal below one, cannot be a texture here", "0.1 is used instead");
+            return 0.1f;
         }
 
-        material.Log.Unsupported(material.Place, "the roughness of a coat, and of metal below one, must be one number here", "0.1 is used instead");
-        return 0.1f;
+        if (along == across)
+        {
+            return along;
+        }
+
+        string name = material.Has(prefix + "uroughness") ? prefix + "uroughness" : prefix + "vroughness";
+        material.Log.Unsupported(material.PlaceOf(name), "the roughness of a coat, and of metal below one, is one number here, not two", "their geometric mean is used instead");
+        return float.Sqrt(along * across);
     }
 
     private static void RefuseScattering(PbrtThing material)

@@ -95,14 +95,18 @@ internal sealed class PbrtMedia(ImportReading reading, PbrtWorld world, float ex
         GridDescription? heat = Temperatures(medium, density);
         float coldest = medium.Float("temperatureoffset", medium.Float("temperaturecutoff", 0));
         float kelvins = medium.Float("temperaturescale", 1, 0);
-        Rgb radiance = Emission(medium, heat is not null);
-        bool glows = heat is not null && !(absorption * radiance).IsBlack;
+        bool isScaled = medium.Type == "uniformgrid" && medium.Parameter("Lescale") is { Numbers.Count: > 1 };
+        GridDescription? glow = isScaled ? Glow(medium) : null;
+        Rgb radiance = Emission(medium, heat is not null, isScaled);
+        bool shines = !(absorption * radiance).IsBlack;
+        bool glows = heat is not null && shines;
         return new()
         {
             Extinction = extinction,
             Albedo = new(Part(scattering.R, extinction.R), Part(scattering.G, extinction.G), Part(scattering.B, extinction.B)),
             Anisotropy = medium.Float("g", 0, -0.99f, 0.99f),
             Emission = absorption * radiance,
+            EmissionGrid = shines ? glow : null,
             TemperatureGrid = glows ? heat : null,
             TemperatureOffset = glows ? coldest : 0,
             TemperatureScale = glows ? kelvins : 1,
@@ -119,8 +123,16 @@ internal sealed class PbrtMedia(ImportReading reading, PbrtWorld world, float ex
         _ => null,
     };
 
+    // Of each point, the density times its factor on the radiance.
+    private static GridDescription? Glow(PbrtThing medium)
+    {
+        IReadOnlyList<float> factors = medium.Floats("Lescale");
+        IReadOnlyList<float> densities = medium.Floats("density");
+        return Grid(medium, [.. factors.Select((f, i) => i < densities.Count ? f * densities[i] : f)], 1, "Lescale");
+    }
+
     // For each unit of length, what is absorbed of a radiance: pbrt's media shine like bodies of that radiance.
-    private Rgb Emission(PbrtThing medium, bool isHot)
+    private Rgb Emission(PbrtThing medium, bool isHot, bool isScaled)
     {
         Rgb radiance = PbrtColors.Read(medium, "Le", isHot ? Rgb.White : Rgb.Black, isLight: true);
         if (isHot && medium.Has("Le"))
@@ -128,13 +140,7 @@ internal sealed class PbrtMedia(ImportReading reading, PbrtWorld world, float ex
             medium.Log.Error(medium.PlaceOf("Le"), "a medium has either \"Le\" or temperatures, not both");
         }
 
-        if (medium.Parameter("Lescale") is { Numbers.Count: > 1 } grid)
-        {
-            medium.Log.Unsupported(grid.Place, "grids of \"Lescale\" are not read: one number is", "it does not shine");
-            return Rgb.Black;
-        }
-
-        return radiance * (medium.Float("Lescale", 1, 0) * exposure);
+        return radiance * (isScaled ? exposure : medium.Float("Lescale", 1, 0) * exposure);
     }
 
     private static float Part(float scattering, float extinction) => extinction > 0 ? float.Min(scattering / extinction, 1) : 0;

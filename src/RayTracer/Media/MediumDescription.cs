@@ -50,7 +50,7 @@ public sealed record MediumDescription
 
     /// <summary>Temperatures, by which the emission is coloured; null for none.</summary>
     [Parameter("Temperatures in kelvins, from a file: the emission is multiplied by the colour of a black body that is so hot, whose radiance is 1 at the wavelength where it is largest. Places of "
-        + "100 K and below are dark. Only where the density varies.")]
+        + "100 K and below are dark, and so is what lies outside of the grid's box. Only where the density varies.")]
     public GridDescription? TemperatureGrid { get; init; }
 
     /// <summary>What is subtracted from the numbers of the temperatures.</summary>

@@ -13,7 +13,9 @@ namespace RayTracer.Benchmarks.Mitsuba;
 /// </summary>
 internal static class MitsubaBenchmark
 {
-    /// <param name="args">Pairs of a scene in Mitsuba's format and its samples; before them, --rounds N, and --own FILE for the scene that is rendered here in the next pair's place.</param>
+    /// <param name="args">
+    /// Pairs of a scene in Mitsuba's format and its samples, or of <c>cloud</c> and samples; before them, --rounds N, and --own FILE for the scene that is rendered here in the next pair's place.
+    /// </param>
     public static int Run(string[] args)
     {
         int rounds = 4;
@@ -28,6 +30,9 @@ internal static class MitsubaBenchmark
                     break;
                 case "--own":
                     own = args[i + 1];
+                    break;
+                case "cloud":
+                    CloudBenchmark.Run(Number(args[i + 1]), rounds);
                     break;
                 default:
                     Compare(args[i], own ?? args[i], Number(args[i + 1]), rounds);
@@ -45,13 +50,12 @@ internal static class MitsubaBenchmark
     {
         Scene own = SceneLoader.Load(ownScene, s => s with { Render = s.Render with { SamplesPerPixel = samples } }).Scene
             ?? throw new InvalidOperationException($"{ownScene}: not a scene; see \"raytracer check\"");
-        using Process peer = Start(scene, samples);
-        string version = peer.StandardOutput.ReadLine() ?? throw new InvalidOperationException("No Mitsuba: python3 cannot import it (PYTHONPATH, DRJIT_LIBLLVM_PATH).");
+        using MitsubaPeer peer = new(scene, samples);
         (double Wall, double Processor) mine = (double.PositiveInfinity, double.PositiveInfinity);
         (double Wall, double Processor) others = mine;
         for (int round = 0; round <= rounds; round++)
         {
-            (double Wall, double Processor) first = Ask(peer, round);
+            (double Wall, double Processor) first = peer.Render(round);
             (double Wall, double Processor) second = Render(own);
             if (round > 0)
             {
@@ -60,13 +64,12 @@ internal static class MitsubaBenchmark
             }
         }
 
-        peer.StandardInput.Close();
-        peer.WaitForExit();
         double paths = (double)own.Render.Width * own.Render.Height * samples / 1e6;
-        Console.WriteLine(string.Create(CultureInfo.InvariantCulture, $"{Path.GetFileName(ownScene)}, {samples} samples, Mitsuba {version}: {paths / mine.Wall:F1} against {paths / others.Wall:F1} M paths/s, {others.Wall / mine.Wall:F2} times; by processor time {others.Processor / mine.Processor:F2} times"));
+        Console.WriteLine(string.Create(CultureInfo.InvariantCulture, $"{Path.GetFileName(ownScene)}, {samples} samples, Mitsuba {peer.Version}: {paths / mine.Wall:F1} against {paths / others.Wall:F1} M paths/s, {others.Wall / mine.Wall:F2} times; by processor time {others.Processor / mine.Processor:F2} times"));
     }
 
-    private static (double Wall, double Processor) Best((double Wall, double Processor) a, (double Wall, double Processor) b) =>
+    /// <summary>The lesser of two times, each by itself.</summary>
+    public static (double Wall, double Processor) Best((double Wall, double Processor) a, (double Wall, double Processor) b) =>
         (Math.Min(a.Wall, b.Wall), Math.Min(a.Processor, b.Processor));
 
     private static (double Wall, double Processor) Render(Scene scene)
@@ -75,23 +78,5 @@ internal static class MitsubaBenchmark
         long start = Stopwatch.GetTimestamp();
         new RTracer(scene, new()).Render();
         return (Stopwatch.GetElapsedTime(start).TotalSeconds, (Environment.CpuUsage.TotalTime - before).TotalSeconds);
-    }
-
-    private static (double Wall, double Processor) Ask(Process peer, int seed)
-    {
-        peer.StandardInput.WriteLine(seed.ToString(CultureInfo.InvariantCulture));
-        string[] answer = (peer.StandardOutput.ReadLine() ?? throw new InvalidOperationException("Mitsuba has ended.")).Split(' ');
-        return (double.Parse(answer[0], CultureInfo.InvariantCulture), double.Parse(answer[1], CultureInfo.InvariantCulture));
-    }
-
-    private static Process Start(string scene, int samples)
-    {
-        ProcessStartInfo start = new(Environment.GetEnvironmentVariable("RAYTRACER_PYTHON") ?? "python3") { UseShellExecute = false, RedirectStandardInput = true, RedirectStandardOutput = true };
-        foreach (string argument in new[] { Path.Combine(AppContext.BaseDirectory, "Mitsuba", "peer.py"), scene, samples.ToString(CultureInfo.InvariantCulture) })
-        {
-            start.ArgumentList.Add(argument);
-        }
-
-        return Process.Start(start)!;
     }
 }

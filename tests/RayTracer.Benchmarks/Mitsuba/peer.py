@@ -1,4 +1,4 @@
-"""Renders a scene with Mitsuba's vectorised mode each time a line with a seed comes in, and answers with wall and processor seconds."""
+"""Renders a scene with Mitsuba's vectorised mode each time a line comes in, of a seed and perhaps other samples and a file for the picture, and answers with wall and processor seconds."""
 import sys
 import time
 
@@ -7,9 +7,13 @@ import numpy as np
 
 mi.set_variant("llvm_ad_rgb")
 scene = mi.load_file(sys.argv[1])
-samples = int(sys.argv[2])
 print(mi.__version__, flush=True)
 for line in sys.stdin:
+    words = line.split()
+    seed, samples, file = int(words[0]), int(words[1] if len(words) > 1 else sys.argv[2]), words[2] if len(words) > 2 else ""
     wall, processor = time.perf_counter(), time.process_time()
-    np.array(mi.render(scene, spp=samples, seed=int(line)))
-    print(time.perf_counter() - wall, time.process_time() - processor, flush=True)
+    picture = np.array(mi.render(scene, spp=samples, seed=seed))
+    seconds = time.perf_counter() - wall, time.process_time() - processor
+    if file:
+        mi.Bitmap(picture).write(file)
+    print(*seconds, flush=True)

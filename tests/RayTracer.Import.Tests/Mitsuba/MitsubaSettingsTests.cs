@@ -1,5 +1,8 @@
+using System.Numerics;
 using RayTracer.Description;
 using RayTracer.Import;
+using RayTracer.Lights;
+using RayTracer.Numerics;
 using RayTracer.Scenes;
 using RayTracer.Shapes;
 
@@ -47,6 +50,48 @@ public sealed class MitsubaSettingsTests : IDisposable
         Diagnostic warning = Assert.Single(MitsubaReader.Read(path).Diagnostics);
         Assert.Equal(Severity.Warning, warning.Severity);
         Assert.EndsWith($"; {standIn}", warning.Message, StringComparison.Ordinal);
+    }
+
+    // Numbers of Mitsuba 3.9.1: the light that the sky and the sun bring onto a level ground, in green.
+    [Theory]
+    [InlineData(15, 0.3736, 0.25)]
+    [InlineData(40, 1.0006, 0.03)]
+    [InlineData(70, 1.4761, 0.1)]
+    public void A_sky_stands_in_for_the_table_of_another_where_scenes_are_read_leniently(float elevation, float irradiance, float tolerance)
+    {
+        ImportSettings.IsLenient = true;
+        using TestScene scene = new();
+        (float up, float x, float y) = (float.SinPi(elevation / 180), 0.6f * float.CosPi(elevation / 180), 0.8f * float.CosPi(elevation / 180));
+        string sky = string.Create(System.Globalization.CultureInfo.InvariantCulture, $"""
+            <emitter type="sunsky"><vector name="sun_direction" x="{x}" y="{up}" z="{-y}"/><transform name="to_world"><rotate x="1" angle="-90"/></transform></emitter>
+            <shape type="rectangle"><transform name="to_world"><rotate x="1" angle="-90"/></transform><bsdf type="diffuse"><rgb name="reflectance" value="1"/></bsdf></shape>
+            """);
+        SceneReadResult read = MitsubaReader.Read(scene.Write("scene.xml", sky));
+        Assert.EndsWith("; the native sky with the same sun stands in for it", Assert.Single(read.Diagnostics).Message, StringComparison.Ordinal);
+        SkyEnvironmentDescription stand = (SkyEnvironmentDescription)read.Description!.Environment!;
+        Assert.Equal(elevation, stand.SunElevation, 1e-3f);
+        EnvironmentLight light = stand.Build(new())!;
+
+        // The sun stands where it is said to, and its light and the sky's come to as much on the ground.
+        Vector3 toSun = new(x, up, -y);
+        light.Evaluate(toSun, out RgbW sun);
+        light.Evaluate(toSun + new Vector3(0, 0.03f, 0), out RgbW beside);
+        Assert.True(sun.G[0] > 1000 * beside.G[0], $"{sun.G[0]} beside {beside.G[0]}");
+        Assert.Equal(irradiance, Irradiance(light), tolerance * irradiance);
+    }
+
+    // By samples of the light, in strata.
+    private static double Irradiance(EnvironmentLight light)
+    {
+        const int side = 128;
+        double sum = 0;
+        for (int i = 0; i < side * side; i++)
+        {
+            light.Sample(default, ((i % side) + 0.5f) / side, ((i / side) + 0.5f) / side, 0f, out ShapeSampleW sample, out RgbW radiance);
+            sum += radiance.G[0] * float.Max(sample.Direction.Y[0], 0);
+        }
+
+        return sum / (side * side);
     }
 
     [Fact]

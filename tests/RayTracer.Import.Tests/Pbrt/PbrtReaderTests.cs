@@ -8,6 +8,7 @@ using RayTracer.Numerics;
 using RayTracer.Rendering;
 using RayTracer.Scenes;
 using RayTracer.Shapes;
+using RayTracer.Spectra;
 using RayTracer.Textures;
 
 namespace RayTracer.Import.Tests;
@@ -206,6 +207,67 @@ public sealed class PbrtReaderTests : IDisposable
     }
 
     [Fact]
+    public void Grids_of_factors_say_where_a_medium_shines()
+    {
+        const string fire = """
+            MakeNamedMedium "fire" "string type" "uniformgrid" "integer nx" 2 "integer ny" 1 "integer nz" 1 "float density" [2 3]
+                "rgb sigma_a" [2 1 0] "rgb sigma_s" [1 1 1] "rgb Le" [1 1 1] "float Lescale" [0.5 4]
+            AttributeBegin MediumInterface "fire" "" Material "interface" Shape "sphere" AttributeEnd
+            """;
+        MediumDescription read = PbrtTestScene.Filled(fire);
+        Assert.True(Math.Abs(read.Emission.R - 2) < 1e-5 && Math.Abs(read.Emission.G - 1) < 1e-5 && read.Emission.B == 0, $"{read.Emission}");
+        Assert.Equal([1f, 12], read.EmissionGrid!.Values.Skip(17).Take(2));
+        Assert.Equal(13, read.EmissionGrid.Values.Sum());
+        Assert.Equal(read.Density!.Size, read.EmissionGrid.Size);
+        Assert.Equal(read.Density.Box, read.EmissionGrid.Box);
+
+        // Factors colour temperatures as well, and of what does not shine there is nothing to say.
+        read = PbrtTestScene.Filled(fire.Replace("\"rgb Le\" [1 1 1]", "\"float temperature\" [900 1200]", StringComparison.Ordinal));
+        Assert.Equal((1200, 12), (read.TemperatureGrid!.Values[18], read.EmissionGrid!.Values[18]));
+        read = PbrtTestScene.Filled(fire.Replace("\"rgb Le\" [1 1 1]", "", StringComparison.Ordinal));
+        Assert.Equal((null, true), (read.EmissionGrid, read.Emission.IsBlack));
+    }
+
+    [Theory]
+    [InlineData(0)]
+    [InlineData(1)]
+    public void NanoVdb_files_of_two_grids_glow_at_the_temperatures_of_the_second(int codec)
+    {
+        using TemporaryFolder folder = new();
+        byte[] Grid(string name, float value, int last) => TestNanoVdb.File((0, 0, 0), (last, last, last), (x, _, _) => value + x, codec, name: name);
+        string fire = $"""
+            MakeNamedMedium "fire" "string type" "nanovdb" "string filename" "{TestVolumes.Write(folder["fire.nvdb"], [.. Grid("density", 1, 7), .. Grid("temperature", 10, 3)])}"
+                "rgb sigma_a" [2 1 0] "rgb sigma_s" [0 0 0] "float Lescale" 3 "float temperaturescale" 100 "float temperatureoffset" 2
+            AttributeBegin MediumInterface "fire" "" Material "interface" Shape "sphere" "float radius" 50 AttributeEnd
+            """;
+        MediumDescription read = PbrtTestScene.Filled(fire);
+        Assert.Equal(("density", "temperature", 2, 100), (read.Density!.Name, read.TemperatureGrid!.Name, read.TemperatureOffset, read.TemperatureScale));
+
+        // A scene of this program names both grids as well.
+        string path = folder["fire.nvdb"].Replace('\\', '/');
+        SceneReadResult native = SceneReader.ReadText($$"""
+            { "shapes": [ { "type": "sphere", "center": [0, 0, 0], "radius": 50, "material": { "type": "invisible", "interior": { "extinction": [2, 1, 0], "albedo": 0, "emission": [6, 3, 0],
+                "density": { "file": "{{path}}", "name": "density" }, "temperatureGrid": { "file": "{{path}}", "name": "temperature" }, "temperatureOffset": 2, "temperatureScale": 100 } } } ] }
+            """, "fire.json");
+        Assert.Empty(native.Diagnostics);
+        foreach (MediumDescription medium in (MediumDescription[])[read, ((InvisibleMaterialDescription)native.Description!.Shapes[0].Material).Interior])
+        {
+            // Voxels are quarters of a unit. The first one has a density of 1 and 10 units of temperature, which are 800 K; the fifth, of a density of 5, lies outside of the other grid.
+            VaryingMedium built = medium.Build(new(loadGrid: new VolumeFolder(".").Load))!.Varying!;
+            built.Emission(new(FloatW.Iota + 0.5f, 0.5f, 0.5f), out RgbW emission);
+            for (int lane = 0; lane < int.Min(8, FloatW.Count); lane++)
+            {
+                RgbW color = lane < 4 ? BlackBody.Color(800 + (100 * lane)) : default;
+                Assert.Equal(((1 + lane) * 6 * color.R[0], (1 + lane) * 3 * color.G[0], 0), (emission.R[lane], emission.G[lane], emission.B[lane]));
+            }
+        }
+
+        // Without the second grid, nothing glows.
+        TestVolumes.Write(folder["fire.nvdb"], Grid("density", 1, 7));
+        Assert.Equal((null, true), (PbrtTestScene.Filled(fire).TemperatureGrid, PbrtTestScene.Filled(fire).Emission.IsBlack));
+    }
+
+    [Fact]
     public void Grids_of_temperatures_colour_what_a_medium_sends()
     {
         const string fire = """
@@ -219,6 +281,16 @@ public sealed class PbrtReaderTests : IDisposable
         Assert.True(Math.Abs(read.Emission.R - 6) < 1e-5 && Math.Abs(read.Emission.G - 3) < 1e-5, $"{read.Emission}");
         read = ((InvisibleMaterialDescription)PbrtTestScene.Of(fire.Replace("Lescale\" 3", "Lescale\" 0", StringComparison.Ordinal)).Shapes[0].Material).Interior;
         Assert.Equal((null, 0f, 1f, true), (read.TemperatureGrid, read.TemperatureOffset, read.TemperatureScale, read.Emission.IsBlack));
+    }
+
+    [Fact]
+    public void A_coat_of_two_roughnesses_has_their_mean_where_scenes_are_read_leniently()
+    {
+        ImportSettings.IsLenient = true;
+        using PbrtTestScene scene = new();
+        SceneReadResult read = PbrtReader.Read(scene.Write("scene.pbrt", """Material "coateddiffuse" "float uroughness" 0.1 "float vroughness" 0.4 "bool remaproughness" false Shape "sphere" """));
+        Assert.Equal(Severity.Warning, Assert.Single(read.Diagnostics).Severity);
+        Assert.Equal(0.2f, ((RoughPlasticMaterialDescription)read.Description!.Shapes[0].Material).Alpha, 1e-6f);
     }
 
     [Fact]

@@ -1,4 +1,6 @@
 using RayTracer.Description;
+using RayTracer.Materials;
+using RayTracer.Media;
 using RayTracer.Rendering;
 using RayTracer.Scenes;
 
@@ -19,6 +21,9 @@ internal sealed class PbrtTestScene : IDisposable
         Assert.Equal("", Diagnostic.Format([.. read.Diagnostics]));
         return read.Description!;
     }
+
+    /// <summary>The medium in the first shape of a scene of some things.</summary>
+    public static MediumDescription Filled(string things) => ((InvisibleMaterialDescription)Of(things).Shapes[0].Material).Interior;
 
     /// <summary>The only diagnostic of a scene of some things.</summary>
     public static string Complaint(string things, string before = "")

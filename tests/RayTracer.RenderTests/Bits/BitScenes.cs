@@ -192,7 +192,7 @@ internal static class BitScenes
     public static string[] Splitting => [Split + "cornell", Split + "report/scene2", Split + "materials/10-principled"];
 
     /// <summary>Scenes of media that vary.</summary>
-    public static string[] Varying => ["media/03-cloud", "media/04-smoke", "media/05-noise"];
+    public static string[] Varying => ["media/03-cloud", "media/04-smoke", "media/05-noise", "media/06-fire", "media/07-fibres"];
 
     /// <summary>Names of the scenes of meshes, instances and motion.</summary>
     public static IReadOnlyList<string> Meshes => In("meshes");

@@ -3,7 +3,7 @@ using System.IO.Compression;
 using System.Runtime.InteropServices;
 using System.Text;
 
-namespace RayTracer.Scenes.Tests;
+namespace RayTracer.Testing;
 
 /// <summary>A file of NanoVDB with one grid: one upper node, one lower one, and leaves.</summary>
 internal static class TestNanoVdb
@@ -20,11 +20,13 @@ internal static class TestNanoVdb
     /// <param name="value">The values of voxels.</param>
     /// <param name="codec">0 for none, 1 for ZIP, 2 for Blosc.</param>
     /// <param name="type">The kind of values: 1 for floats.</param>
-    public static byte[] File((int X, int Y, int Z) first, (int X, int Y, int Z) last, Func<int, int, int, float> value, int codec = 0, uint type = 1)
+    /// <param name="name">The grid's name.</param>
+    /// <returns>A file; several one after the other are a file of as many grids.</returns>
+    public static byte[] File((int X, int Y, int Z) first, (int X, int Y, int Z) last, Func<int, int, int, float> value, int codec = 0, uint type = 1, string name = "density")
     {
         byte[] grid = Grid(first, last, value, type);
         byte[] stored = codec == 0 ? grid : Packed(grid);
-        byte[] name = "density\0"u8.ToArray();
+        byte[] called = Encoding.ASCII.GetBytes(name + "\0");
         byte[] head = new byte[16 + 176];
         "NanoVDB0"u8.CopyTo(head);
         BinaryPrimitives.WriteUInt16LittleEndian(head.AsSpan(12), 1);
@@ -33,8 +35,8 @@ internal static class TestNanoVdb
         BinaryPrimitives.WriteInt64LittleEndian(meta, grid.Length);
         BinaryPrimitives.WriteInt64LittleEndian(meta[8..], stored.Length);
         BinaryPrimitives.WriteUInt32LittleEndian(meta[32..], type);
-        BinaryPrimitives.WriteInt32LittleEndian(meta[136..], name.Length);
-        return [.. head, .. name, .. stored];
+        BinaryPrimitives.WriteInt32LittleEndian(meta[136..], called.Length);
+        return [.. head, .. called, .. stored];
     }
 
     private static byte[] Packed(byte[] grid)
