@@ -145,7 +145,13 @@ public class SceneWalks(ChromiumBrowser browser)
         await w.Page.Mouse.ClickAsync(x, y, new() { Button = MouseButton.Right });
         await Expect(w.Page.GetByRole(AriaRole.Menu, new() { Name = "What can be done here" })).ToBeVisibleAsync();
         await w.Page.Keyboard.PressAsync("ArrowRight");
-        await Expect(w.Page.GetByRole(AriaRole.Menuitem, new() { Name = "plane", Exact = true })).ToBeVisibleAsync();
+        ILocator shapes = w.Page.GetByRole(AriaRole.Menu, new() { Name = "Add here: Shape" }).GetByRole(AriaRole.Menuitem);
+        await Expect(shapes.First).ToBeFocusedAsync();
+        await Expect(shapes.Last).ToBeInViewportAsync(new() { Ratio = 1 });
+        await w.Page.Keyboard.PressAsync("ArrowLeft");
+        await Expect(shapes).ToHaveCountAsync(0);
+        await w.Page.Keyboard.PressAsync("Enter");
+        await Expect(shapes.First).ToBeFocusedAsync();
         await w.Painted();
         await w.Shot("here", isShown: true);
         await w.Page.GetByRole(AriaRole.Menuitem, new() { Name = "box", Exact = true }).ClickAsync();

@@ -36,7 +36,7 @@ interface MenuListProps {
 export function MenuList({ label, items, close, back, at }: MenuListProps) {
   const root = useRef<HTMLDivElement>(null);
   const leaving = useRef<ReturnType<typeof setTimeout>>(undefined);
-  const [inner, setInner] = useState<{ item: MenuItem; button: HTMLElement } | null>(null);
+  const [inner, setInner] = useState<{ item: MenuItem; button: HTMLElement; turn: number } | null>(null);
   const buttons = () => [...(root.current?.querySelectorAll<HTMLElement>(":scope > [role=menuitem]") ?? [])];
 
   // A layout effect, so that the next key finds the focus in the menu, or not there any more.
@@ -50,13 +50,21 @@ export function MenuList({ label, items, close, back, at }: MenuListProps) {
     buttons()[0]?.focus();
     if (back) return;
     const outside = (e: PointerEvent) => list.parentElement!.contains(e.target as Node) || close(false);
+    const resized = () => close(false);
     document.addEventListener("pointerdown", outside);
-    return () => document.removeEventListener("pointerdown", outside);
+    addEventListener("resize", resized);
+    return () => {
+      document.removeEventListener("pointerdown", outside);
+      removeEventListener("resize", resized);
+    };
   }, []);
+
+  // Each time it is opened, the first of its items gets the focus.
+  const open = (item: MenuItem, button: HTMLElement) => setInner((now) => ({ item, button, turn: (now?.turn ?? 0) + 1 }));
 
   const run = (item: MenuItem, button: HTMLElement) => {
     if (item.disabled) return;
-    if (item.items) return setInner({ item, button });
+    if (item.items) return open(item, button);
     close(true);
     item.run?.();
   };
@@ -71,7 +79,8 @@ export function MenuList({ label, items, close, back, at }: MenuListProps) {
     clearTimeout(leaving.current);
     leaving.current = setTimeout(() => {
       button.focus();
-      setInner(item.items ? { item, button } : null);
+      if (item.items) open(item, button);
+      else setInner(null);
     }, inner ? 200 : 0);
   };
 
@@ -121,7 +130,7 @@ export function MenuList({ label, items, close, back, at }: MenuListProps) {
       ))}
       {inner && (
         <div role="presentation" onPointerEnter={() => clearTimeout(leaving.current)}>
-          <MenuList label={inner.item.label} items={inner.item.items!} close={close} back={leave} at={sideOf(inner.button)} key={inner.item.label} />
+          <MenuList label={inner.item.label} items={inner.item.items!} close={close} back={leave} at={sideOf(inner.button)} key={inner.turn} />
         </div>
       )}
     </div>
