@@ -35,6 +35,7 @@ interface MenuListProps {
 /** A list of commands; arrow keys, Home, End and letters move in it. */
 export function MenuList({ label, items, close, back, at }: MenuListProps) {
   const root = useRef<HTMLDivElement>(null);
+  const pointed = useRef<MenuItem>(undefined);
   const leaving = useRef<ReturnType<typeof setTimeout>>(undefined);
   const [inner, setInner] = useState<{ item: MenuItem; button: HTMLElement; turn: number } | null>(null);
   const buttons = () => [...(root.current?.querySelectorAll<HTMLElement>(":scope > [role=menuitem]") ?? [])];
@@ -74,8 +75,10 @@ export function MenuList({ label, items, close, back, at }: MenuListProps) {
     setInner(null);
   };
 
-  // The way into an open menu may lead over the items below its own.
+  // A menu that comes up under a resting mouse is not pointed at. The way into an open menu may lead over the items below its own.
   const enter = (item: MenuItem, button: HTMLElement) => {
+    if (pointed.current === item) return;
+    pointed.current = item;
     clearTimeout(leaving.current);
     leaving.current = setTimeout(() => {
       button.focus();
@@ -119,7 +122,7 @@ export function MenuList({ label, items, close, back, at }: MenuListProps) {
             aria-haspopup={item.items && "menu"}
             aria-expanded={item.items && inner?.item === item}
             data-tip={item.tip}
-            onPointerEnter={(e) => e.pointerType === "mouse" && enter(item, e.currentTarget)}
+            onPointerMove={(e) => e.pointerType === "mouse" && (e.movementX !== 0 || e.movementY !== 0) && enter(item, e.currentTarget)}
             onClick={(e) => run(item, e.currentTarget)}
           >
             <span>{item.label}</span>
@@ -129,7 +132,7 @@ export function MenuList({ label, items, close, back, at }: MenuListProps) {
         </>
       ))}
       {inner && (
-        <div role="presentation" onPointerEnter={() => clearTimeout(leaving.current)}>
+        <div role="presentation" onPointerEnter={() => (clearTimeout(leaving.current), (pointed.current = inner.item))}>
           <MenuList label={inner.item.label} items={inner.item.items!} close={close} back={leave} at={sideOf(inner.button)} key={inner.turn} />
         </div>
       )}
