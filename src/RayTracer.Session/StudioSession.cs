@@ -135,6 +135,11 @@ public sealed class StudioSession : IDisposable
     /// <summary>Ends all work, and keeps what is not saved.</summary>
     public void Dispose()
     {
+        foreach (IDisposable part in _parts.Values.OfType<IDisposable>())
+        {
+            part.Dispose();
+        }
+
         Jobs.Dispose();
         Films.Dispose();
         Timeline.Dispose();

@@ -28,10 +28,13 @@ internal static class TimelineEndpoints
         });
         group.MapPost("/record", (RecordRequest r) => timeline.Record(r.IsOn));
         group.MapPost("/key", (DocumentRequests.At r) => Revision(timeline.ToggleKey(Needed(r.Pointer, "pointer"))));
-        group.MapPost("/move", (KeysRequest r) => Revision(timeline.MoveKeys(Needed(r.Keys, "keys"), r.Frames, r.Copies, r.Gesture)));
-        group.MapPost("/remove", (KeysRequest r) => Revision(timeline.RemoveKeys(Needed(r.Keys, "keys"))));
-        group.MapPost("/ease", (KeysRequest r) => Revision(timeline.EaseKeys(Needed(r.Keys, "keys"), r.Ease)));
+        group.MapPost("/move", (KeysRequest r) => Revision(timeline.MoveKeys(Chosen(r), r.Frames, r.Copies, r.Gesture)));
+        group.MapPost("/remove", (KeysRequest r) => Revision(timeline.RemoveKeys(Chosen(r))));
+        group.MapPost("/ease", (KeysRequest r) => Revision(timeline.EaseKeys(Chosen(r), r.Ease)));
     }
+
+    private static KeyChoice[] Chosen(KeysRequest request) =>
+        [.. Needed(request.Keys, "keys").Select(k => new KeyChoice(Needed(k.Keys, "keys"), Needed(k.Numbers, "numbers")))];
 
     private static IResult Revision(int revision) => Results.Json(new { revision });
 

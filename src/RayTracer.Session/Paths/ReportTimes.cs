@@ -7,10 +7,11 @@ namespace RayTracer.Session;
 
 /// <summary>The report's own times beside this machine's: measured once, with a few samples, when they are first asked for.</summary>
 /// <param name="folder">The folder of the scenes that come with the program; null where there is none.</param>
-public sealed class ReportTimes(string? folder) : ISessionPart<ReportTimes>
+public sealed class ReportTimes(string? folder) : ISessionPart<ReportTimes>, IDisposable
 {
     private const int MeasuredSamples = 4;
     private readonly Lock _lock = new();
+    private readonly CancellationTokenSource _end = new();
     private Task<ReportTime[]>? _measured;
 
     /// <summary>On how many threads is measured.</summary>
@@ -21,12 +22,23 @@ public sealed class ReportTimes(string? folder) : ISessionPart<ReportTimes>
 
     /// <summary>Measures, if that has not been done yet.</summary>
     /// <exception cref="SessionException">The report's scenes are not there.</exception>
+    /// <exception cref="OperationCanceledException">The session ends.</exception>
     public Task<ReportTime[]> Measure()
     {
         lock (_lock)
         {
-            return _measured = _measured is null or { IsFaulted: true } ? Task.Run(() => ReportScene.All.SelectMany(Of).ToArray())
+            return _measured = _measured is null or { IsFaulted: true } ? Task.Run(() => ReportScene.All.SelectMany(Of).ToArray(), _end.Token)
                 : _measured;
+        }
+    }
+
+    /// <summary>Ends measuring, and waits until nothing is rendered any more.</summary>
+    public void Dispose()
+    {
+        _end.Cancel();
+        if (_lock.Read(() => _measured) is { } measured)
+        {
+            Task.WaitAny(measured);
         }
     }
 
@@ -37,7 +49,8 @@ public sealed class ReportTimes(string? folder) : ISessionPart<ReportTimes>
             path, s => s with { Render = s.Render with { Width = report.Size, Height = report.Size, SamplesPerPixel = MeasuredSamples } });
         Scene scene = loaded.Scene ?? throw new SessionException($"The report's scene '{path}' cannot be loaded.", SessionFault.Missing);
         long start = Stopwatch.GetTimestamp();
-        RenderStatistics statistics = new RTracer(scene, new() { Threads = Threads }).Render(new Film(report.Size, report.Size));
+        RenderStatistics statistics = new RTracer(scene, new() { Threads = Threads }).Render(new Film(report.Size, report.Size), cancellation: _end.Token);
+        _end.Token.ThrowIfCancellationRequested();
         double perPath = Stopwatch.GetElapsedTime(start).TotalSeconds / statistics.Paths;
         return report.Pictures.Select(p => new ReportTime(
             report.Number, $"{report.Figure} {p.Letter}", report.Size, p.SamplesPerPixel, p.Seconds, perPath * report.Paths(p)));

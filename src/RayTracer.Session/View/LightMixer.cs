@@ -24,7 +24,7 @@ public sealed class LightMixer(SceneDocument document, PictureView view)
 
     /// <summary>The lights with their factors; null where they are not kept apart.</summary>
     public IReadOnlyList<MixedLight>? Lights => view.Settings.LightFactors is { } factors && view.Shown is { } shown
-        ? [.. LightLayers.NamesOf(shown).Select(name => new MixedLight(name, FactorOf(factors, name)))] : null;
+        ? [.. LightLayers.NamesOf(shown).Select(name => new MixedLight(name, FactorOf(factors, name), [.. SourcesOf(shown, name).Select(shown.PointerOf).OfType<string>()]))] : null;
 
     /// <summary>Multiplies the light of some lights; the picture is rendered again only where it was not kept apart before.</summary>
     /// <param name="factors">The factors on lights: red, green and blue; others are 1. Null ends it.</param>
@@ -59,10 +59,13 @@ public sealed class LightMixer(SceneDocument document, PictureView view)
 
     private static Rgb FactorOf(ImmutableDictionary<string, Rgb> factors, string name) => factors.TryGetValue(name, out Rgb factor) ? factor : Rgb.White;
 
+    private static IEnumerable<ShapeDescription> SourcesOf(ViewportScene shown, string name) =>
+        shown.Description.Lights.Concat(shown.Description.Shapes.Where(s => s.Material is LuminaireMaterialDescription)).Where(s => LightLayers.NameOf(s) == name);
+
     private static JsonText Scaled(ViewportScene shown, JsonText text, string name, Rgb factor)
     {
         SceneDescription scene = shown.Description;
-        ShapeDescription[] sources = [.. scene.Lights.Concat(scene.Shapes.Where(s => s.Material is LuminaireMaterialDescription)).Where(s => LightLayers.NameOf(s) == name)];
+        ShapeDescription[] sources = [.. SourcesOf(shown, name)];
         if (sources.Length > 0)
         {
             return sources.Aggregate(text, (now, source) => Scaled(shown, now, source, factor));
@@ -126,4 +129,5 @@ public sealed class LightMixer(SceneDocument document, PictureView view)
 /// <summary>A light of the picture, or several with one name.</summary>
 /// <param name="Name">The name of its layer.</param>
 /// <param name="Factor">The factor on its light, for red, green and blue.</param>
-public sealed record MixedLight(string Name, Rgb Factor);
+/// <param name="Pointers">Those of them that stand in the text by themselves: not in a group or an object.</param>
+public sealed record MixedLight(string Name, Rgb Factor, IReadOnlyList<string> Pointers);

@@ -31,7 +31,7 @@ internal static class ApiJson
     {
         public override T Read(ref Utf8JsonReader reader, Type typeToConvert, JsonSerializerOptions options) =>
             JsonSerializer.Deserialize<float[]>(ref reader, options) is { } numbers && numbers.Length == length ? read(numbers)
-                : throw new JsonException($"{length} numbers are expected");
+                : throw new JsonException($"{length} numbers are expected.");
 
         public override void Write(Utf8JsonWriter writer, T value, JsonSerializerOptions options) =>
             JsonSerializer.Serialize(writer, write(value), options);

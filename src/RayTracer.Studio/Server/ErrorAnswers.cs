@@ -9,6 +9,9 @@ namespace RayTracer.Studio;
 /// <param name="errors">Takes the internal errors.</param>
 internal sealed class ErrorAnswers(TextWriter errors)
 {
+    // What was asked for may stand in it, however long it was.
+    private const int LongestMessage = 1000;
+
     /// <summary>Passes a request on.</summary>
     public async Task Invoke(HttpContext context, RequestDelegate next)
     {
@@ -40,7 +43,7 @@ internal sealed class ErrorAnswers(TextWriter errors)
     private static ErrorAnswer Answer(Exception e, string message)
     {
         SessionFault? fault = (e as SessionException)?.Fault;
-        return new(message) { Unsaved = fault == SessionFault.Unsaved, Exists = fault == SessionFault.Exists, ChangedOnDisk = fault == SessionFault.ChangedOnDisk };
+        return new(message.Length > LongestMessage ? $"{message[..LongestMessage]} …" : message) { Unsaved = fault == SessionFault.Unsaved, Exists = fault == SessionFault.Exists, ChangedOnDisk = fault == SessionFault.ChangedOnDisk };
     }
 
     private static (int Status, string Message) Describe(Exception e) => e switch

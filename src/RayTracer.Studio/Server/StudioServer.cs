@@ -30,7 +30,9 @@ internal sealed class StudioServer : IAsyncDisposable
         _app.Use(guard.Invoke);
         _app.Use(new ErrorAnswers(options.Errors).Invoke);
         _app.UseRouting();
-        RouteGroupBuilder api = _app.MapGroup(LocalGuard.Api);
+        // Values that may be left out, and cannot be read, are only marked so.
+        RouteGroupBuilder api = _app.MapGroup(LocalGuard.Api).AddEndpointFilter((call, next) => call.HttpContext.Response.StatusCode == StatusCodes.Status400BadRequest
+            ? throw new BadHttpRequestException("A value in the address is of another kind than it has to be.") : next(call));
         api.MapLife(guard, _windows, options.Errors);
         api.MapFrames(session.View, poll);
         // A request that has nothing to return gets the revision that the document has now.

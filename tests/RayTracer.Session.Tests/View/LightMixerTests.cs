@@ -35,7 +35,7 @@ public sealed class LightMixerTests : IDisposable
         Assert.Null(Mixer.Lights);
         Mixer.Mix(new Dictionary<string, float[]>());
         Assert.Equal(alone, await _test.FilmHash());
-        Assert.Equal(["left", "right", "spark"], Mixer.Lights!.Select(l => l.Name));
+        Assert.Equal([("left", "/lights/0"), ("right", "/lights/1"), ("spark", "/lights/2")], Mixer.Lights!.Select(l => (l.Name, Assert.Single(l.Pointers))));
         Picture plain = await Shown();
 
         long picture = _test.Session.View.Shown!.Picture;

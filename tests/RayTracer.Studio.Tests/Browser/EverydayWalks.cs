@@ -89,8 +89,7 @@ public class EverydayWalks(ChromiumBrowser browser)
         await using StudioWindow w = await StudioWindow.Open(browser, "primer/01-sphere");
         await w.Painted();
         IPage other = await w.NewPage();
-        await w.Button("Add").ClickAsync();
-        await w.Page.GetByRole(AriaRole.Menuitem, new() { Name = "Shape: torus" }).ClickAsync();
+        await w.Choose("Add", "Shape", "torus");
         await Expect(other.GetByRole(AriaRole.Treeitem, new() { NameRegex = new("torus") })).ToBeVisibleAsync();
         await other.GetByRole(AriaRole.Application, new() { NameRegex = new("Rendered picture") }).FocusAsync();
         await other.Keyboard.PressAsync("Control+z");

@@ -20,7 +20,7 @@ public class LightWalks(ChromiumBrowser browser)
     {
         await using StudioWindow w = await StudioWindow.Open(browser, "primer/01-sphere");
         await w.Painted();
-        await Add(w, "Light: spot");
+        await w.Choose("Add", "Light", "spot");
         await w.Page.Keyboard.PressAsync("Escape");
         ILocator icon = w.Page.GetByRole(AriaRole.Button, new() { Name = "Light spot 1" });
         await icon.ClickAsync();
@@ -48,9 +48,9 @@ public class LightWalks(ChromiumBrowser browser)
         string before = w.Session.Document.Text;
         await w.Tab("Lights");
         await w.Button("Balance lights").ClickAsync();
-        ILocator left = w.Page.GetByRole(AriaRole.Slider, new() { Name = "Strength of left_front_lamp" });
+        ILocator left = w.Page.GetByRole(AriaRole.Slider, new() { Name = "Strength of left front lamp" });
         await left.FillAsync("0.25");
-        await w.Page.GetByRole(AriaRole.Slider, new() { Name = "Strength of right_back_lamp" }).FillAsync("2");
+        await w.Page.GetByRole(AriaRole.Slider, new() { Name = "Strength of right back lamp" }).FillAsync("2");
         await StudioWindow.Until("the factors arrive", () => Task.FromResult(w.Session.Mixer.Lights is { } l && l.Any(x => x.Factor.R == 0.25f) && l.Any(x => x.Factor.R == 2)));
         Assert.Equal(before, w.Session.Document.Text);
         await w.Shot("mixer", isShown: true);
@@ -69,7 +69,7 @@ public class LightWalks(ChromiumBrowser browser)
         await w.Painted();
         foreach (string type in new[] { "point", "directional", "spot" })
         {
-            await Add(w, $"Light: {type}");
+            await w.Choose("Add", "Light", type);
             await Expect(w.Page.GetByRole(AriaRole.Treeitem, new() { NameRegex = new($"^{type} 1") })).ToHaveAttributeAsync("aria-selected", "true");
         }
 
@@ -78,7 +78,7 @@ public class LightWalks(ChromiumBrowser browser)
         await cone.PressAsync("Enter");
         await Good(w, "the spot is narrower", s => s.Lights.OfType<SpotLightDescription>().Any(l => l.CutoffAngle == 25));
 
-        await Add(w, "Environment: sky");
+        await w.Choose("Add", "Environment", "sky");
         await Good(w, "there is a sky", s => s.Environment is SkyEnvironmentDescription);
         await Expect(w.Page.GetByText("background", new() { Exact = true })).ToHaveCountAsync(0);
         await w.Page.GetByRole(AriaRole.Spinbutton, new() { Name = "sun elevation", Exact = true }).FillAsync("12");
@@ -200,12 +200,6 @@ public class LightWalks(ChromiumBrowser browser)
         string file = Path.Combine(w.Folder, "ball.json");
         await StudioWindow.Until("it is saved", () => Task.FromResult(File.Exists(file)));
         Assert.NotNull(SceneReader.Read(file).Description);
-    }
-
-    private static async Task Add(StudioWindow w, string item)
-    {
-        await w.Button("Add").ClickAsync();
-        await w.Page.GetByRole(AriaRole.Menuitem, new() { Name = item, Exact = true }).ClickAsync();
     }
 
     // Waits until the scene is good, and so.

@@ -190,6 +190,16 @@ internal sealed class StudioWindow : IAsyncDisposable
         await Page.ScreenshotAsync(new() { Path = Path.Combine(folder, name + ".png"), Animations = ScreenshotAnimations.Disabled });
     }
 
+    /// <summary>Opens a menu, and goes through it by the names of its items.</summary>
+    public async Task Choose(string menu, params string[] items)
+    {
+        await Button(menu).ClickAsync();
+        foreach (string item in items)
+        {
+            await Page.GetByRole(AriaRole.Menuitem, new() { Name = item, Exact = true }).ClickAsync();
+        }
+    }
+
     /// <summary>A button of that name.</summary>
     public ILocator Button(string name) => Page.GetByRole(AriaRole.Button, new() { Name = name, Exact = true });
 

@@ -284,6 +284,7 @@ export interface MeasuredTimes {
 export interface MixedLight {
   name: string;
   factor: Vec3;
+  pointers: string[];
 }
 
 export interface MotionPaths {

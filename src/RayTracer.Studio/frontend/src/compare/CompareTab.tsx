@@ -16,8 +16,8 @@ import { usePicture } from "../viewport/Overlays";
 const t = texts.compare;
 const rename = (id: number, name: string | null) => attempt(() => post("view/snapshot/rename", { id, name }));
 
-/** The kept pictures that can be chosen, with what they are. */
-const keptChoices = () => (snapshots.value ?? []).map((s) => ({ value: String(s.id), label: s.label }));
+/** The kept pictures that can be chosen; what they are stands below each. */
+const keptChoices = () => (snapshots.value ?? []).map((s) => ({ value: String(s.id), label: s.name }));
 
 const compare = (change: Partial<Comparison>) => (comparison.value = { ...compared.value, ...change });
 

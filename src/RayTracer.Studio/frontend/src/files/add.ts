@@ -18,14 +18,12 @@ export function add(family: string, type: CatalogueType, at?: Pixel): void {
   else put();
 }
 
-/** All that can be added, as items of a menu: families one after the other. */
-export function addItems(families: readonly string[], groupOf: (family: string) => string, at?: Pixel): MenuItem[] {
+/** What can be added of a family, as items of a menu. */
+export function addItems(family: string, at?: Pixel): MenuItem[] {
   const all = Object.values(schema.value?.types ?? {}).flat();
   const isPossible = (type: CatalogueType) => !!outline.value?.objects.length || !type.parameters.some((p) => p.required && p.kind === "shape");
-  return families.flatMap((family) =>
-    all
-      .filter((type) => type.addedAs.includes(family) && isPossible(type))
-      .sort((a, b) => a.addedAs.length - b.addedAs.length)
-      .map((type) => ({ label: spaced(type.name), name: `${groupOf(family)}: ${spaced(type.name)}`, tip: type.summary, group: groupOf(family), run: () => add(family, type, at) })),
-  );
+  return all
+    .filter((type) => type.addedAs.includes(family) && isPossible(type))
+    .sort((a, b) => a.addedAs.length - b.addedAs.length)
+    .map((type) => ({ label: spaced(type.name), tip: type.summary, run: () => add(family, type, at) }));
 }

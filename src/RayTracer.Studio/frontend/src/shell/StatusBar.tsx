@@ -53,7 +53,7 @@ export function StatusBar() {
           <span class={`state ${render.status}`} role="status">{t.states[render.status]}</span>
           <progress aria-label={t.progress} value={render.samples} max={Math.max(1, render.samplesTotal)} />
           <span>{t.samples(render.samples, render.samplesTotal)}</span>
-          {render.raysPerSecond > 0 && <span data-tip={t.raysWhy}>{t.rays(withPrefix(render.raysPerSecond))}</span>}
+          {render.raysPerSecond > 0 && <span class="rays" data-tip={t.raysWhy}>{t.rays(withPrefix(render.raysPerSecond))}</span>}
           {render.noise !== null && <span data-tip={t.noiseWhy}>{t.noise(format(render.noise * 100, 2))}</span>}
           <span>{render.secondsLeft !== null && render.status === "rendering" ? t.left(duration(render.secondsLeft)) : t.took(duration(render.seconds))}</span>
           {render.badSamples > 0 && <span class="warning" data-tip={t.badWhy}>{t.bad(render.badSamples)}</span>}

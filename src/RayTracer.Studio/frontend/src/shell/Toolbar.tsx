@@ -26,7 +26,7 @@ export function Toolbar() {
      <div class="tools" role="toolbar" aria-label={t.label}>
       <div class="group">
         <Menu label={t.file} items={fileItems.map(commandItem)} />
-        <Menu label={t.add} tip={t.addWhy} icon="add" items={addItems(families, (family) => texts.families[family]!)} />
+        <Menu label={t.add} tip={t.addWhy} icon="add" items={families.map((family) => ({ label: texts.families[family]!, items: addItems(family) }))} />
       </div>
       <div class="group">
         <Button {...commandButton("save")} />

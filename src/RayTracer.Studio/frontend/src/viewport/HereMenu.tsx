@@ -31,11 +31,13 @@ export function HereMenu() {
   const at = openAt.value;
   if (!at) return null;
   const { pixel, thing } = at;
-  const given = (list: "materials" | "textures"): MenuItem[] =>
-    (outline.value?.[list] ?? []).map(({ name }) => ({ label: name, name: `${texts.outliner[list]}: ${name}`, group: texts.outliner[list], run: () => applyTo(join(`/${list}`, name), { at: pixel }) }));
+  const given = (list: "materials" | "textures"): MenuItem[] => {
+    const items = (outline.value?.[list] ?? []).map(({ name }) => ({ label: name, run: () => applyTo(join(`/${list}`, name), { at: pixel }) }));
+    return items.length > 0 ? [{ label: texts.outliner[list], items }] : [];
+  };
   const items = [
-    ...(isSeen(thing) ? [...ofThings.map(commandItem), ...given("materials"), ...given("textures")] : []),
-    ...addItems(["shape", "light"], (family) => t.addHere(texts.families[family]!), pixel),
+    ...["shape", "light"].map((family) => ({ label: t.addHere(texts.families[family]!), items: addItems(family, pixel) })),
+    ...(isSeen(thing) ? [...given("materials"), ...given("textures"), ...ofThings.map(commandItem)] : []),
   ];
   const close = (returnsFocus: boolean) => {
     openAt.value = null;

@@ -47,8 +47,14 @@ export function ViewportBar() {
             <input type="range" aria-label={`${t.exposure}, ${format(now.exposure)}`} min={-6} max={6} step={0.1} value={now.exposure} onInput={(e) => tone.push({ exposure: Number(e.currentTarget.value) })} />
             <NumberField label={t.exposure} value={now.exposure} bounds={{ minimum: -20, maximum: 20 }} onChange={(exposure) => tone.push({ exposure })} />
           </div>
-          <Select label={t.exposureRule} tip={t.exposureRuleWhy} value={now.rule} choices={now.rules.map((r) => ({ value: r, label: t.exposureRules[r] }))} onChange={(rule) => tone.push({ rule })} />
-          <Select label={t.toneMap} tip={t.toneMapWhy} value={now.toneMap} choices={now.choices.map((c) => ({ value: c, label: c }))} onChange={(toneMap) => tone.push({ toneMap })} />
+          <label class="pair">
+            <span>{t.exposureRule}</span>
+            <Select label={t.exposureRule} tip={t.exposureRuleWhy} value={now.rule} choices={now.rules.map((r) => ({ value: r, label: t.exposureRules[r] }))} onChange={(rule) => tone.push({ rule })} />
+          </label>
+          <label class="pair">
+            <span>{t.toneMap}</span>
+            <Select label={t.toneMap} tip={t.toneMapWhy} value={now.toneMap} choices={now.choices.map((c) => ({ value: c, label: c }))} onChange={(toneMap) => tone.push({ toneMap })} />
+          </label>
         </Popover>
       )}
       <Button {...commandButton("snapshot")} />
