@@ -33,7 +33,8 @@ internal sealed class Microflakes
     public Microflakes(PlacedGrid grid)
     {
         (_grid, _toGrid) = (grid, new(grid.ToVoxels));
-        Span<float> most = stackalloc float[6];
+        // No memory of the stack, which this assembly does not clear.
+        float[] most = new float[6];
         ReadOnlySpan<float> values = grid.Grid.Values;
         for (int i = 0; i < values.Length; i++)
         {

@@ -1,4 +1,5 @@
 using System.Numerics;
+using System.Runtime.CompilerServices;
 using RayTracer.Media;
 using RayTracer.Numerics;
 using RayTracer.Tests.Statistics;
@@ -139,6 +140,25 @@ public class MicroflakeTests
     [InlineData(false, 0, 0, 0, 0, 0, 0)]
     public void What_is_no_ellipsoid_is_told(bool isOne, float xx, float yy, float zz, float xy, float xz, float yz) =>
         Assert.Equal(isOne, Microflakes.Complaint([xx, yy, zz, xy, xz, yz]) is null);
+
+    [Fact]
+    public void What_was_on_the_stack_before_is_no_part_of_the_largest_area()
+    {
+        PlacedGrid grid = new(new(1, 1, 1, 6, s_matrices["balls"]), Transform.Identity, GridInterpolation.Nearest, Wrapping.Clamp);
+        for (int i = 0; i < 100; i++)
+        {
+            Soil();
+            Assert.Equal(1, new Microflakes(grid).LargestArea(W(Vector3.UnitZ))[0], 1e-5f);
+        }
+    }
+
+    [MethodImpl(MethodImplOptions.NoInlining)]
+    private static void Soil()
+    {
+        Span<float> stack = stackalloc float[1 << 14];
+        stack.Fill(1e6f);
+        GC.KeepAlive(stack.ToArray());
+    }
 
     private static double Normals(float[] s, Vector3 m)
     {
