@@ -199,8 +199,8 @@ internal sealed unsafe class Atmosphere
             FloatW byHaze = seen * step.Density.Haze * (HazeAlbedo * _haze[wavelength]);
             FloatW sun = LaneMath.Exp(-Depth(step.ToSun, wavelength));
             UIntW level = step.Level.ToIntInRange();
-            FloatW below = FloatW.Gather(scattered, level);
-            FloatW again = FloatW.MultiplyAdd(FloatW.Gather(scattered + 1, level) - below, step.Level - level.ToFloat(), below);
+            FloatW.Gather(scattered, level, out FloatW below, out FloatW above);
+            FloatW again = FloatW.Mix(below, above, step.Level - level.ToFloat());
             march.Molecules = FloatW.MultiplyAdd(byMolecules, sun, march.Molecules);
             march.Haze = FloatW.MultiplyAdd(byHaze, sun, march.Haze);
             march.Again = FloatW.MultiplyAdd(byMolecules + byHaze, again, march.Again);

@@ -179,11 +179,11 @@ internal sealed unsafe class ImageEnvironment : EnvironmentLight
         Texels(column, row, out Corners corners);
         corners.Luminances(_unit, out Luminances cell);
         FloatW t = ByLine(cell.UpperLeft + cell.UpperRight, cell.LowerLeft + cell.LowerRight, restV);
-        FloatW s = ByLine(Mix(cell.UpperLeft, cell.LowerLeft, t), Mix(cell.UpperRight, cell.LowerRight, t), restU);
+        FloatW s = ByLine(FloatW.Mix(cell.UpperLeft, cell.LowerLeft, t), FloatW.Mix(cell.UpperRight, cell.LowerRight, t), restU);
 
         FloatW.Gather(_sines.Pointer, row, out FloatW sineFrom, out FloatW sineTo);
         FloatW.Gather(_cosines.Pointer, row, out FloatW cosineFrom, out FloatW cosineTo);
-        (FloatW sine, FloatW cosine) = (Mix(sineFrom, sineTo, t), Mix(cosineFrom, cosineTo, t));
+        (FloatW sine, FloatW cosine) = (FloatW.Mix(sineFrom, sineTo, t), FloatW.Mix(cosineFrom, cosineTo, t));
         FloatW y = cosine - sine;
         FloatW r = FloatW.Sqrt(sine * cosine) * 2f;
         LaneMath.SinCosTurn((column.ToFloat() + s + 0.5f) * (1f / _width), out FloatW sin, out FloatW cos);
@@ -204,8 +204,6 @@ internal sealed unsafe class ImageEnvironment : EnvironmentLight
         FloatW below = p + root;
         return (below > 0f).Select(FloatW.Min(share * (p + q) / below, 1f), share);
     }
-
-    private static FloatW Mix(FloatW a, FloatW b, FloatW t) => FloatW.MultiplyAdd(b - a, t, a);
 
     private void Weigh(int row, double[] weights)
     {
@@ -292,6 +290,6 @@ internal sealed unsafe class ImageEnvironment : EnvironmentLight
 
         public readonly FloatW Mean => (UpperLeft + UpperRight + LowerLeft + LowerRight) * 0.25f;
 
-        public readonly FloatW At(FloatW s, FloatW t) => Mix(Mix(UpperLeft, LowerLeft, t), Mix(UpperRight, LowerRight, t), s);
+        public readonly FloatW At(FloatW s, FloatW t) => FloatW.Mix(FloatW.Mix(UpperLeft, LowerLeft, t), FloatW.Mix(UpperRight, LowerRight, t), s);
     }
 }

@@ -75,15 +75,11 @@ internal sealed unsafe class CoatBounces
         FloatW left = FloatW.Min(FloatW.Floor(place), Angles - 1);
         UIntW index = left.ToIntInRange() * 6u;
         FloatW t = place - left;
-        FloatW Between(int column)
-        {
-            FloatW a = FloatW.Gather(_table + column, index);
-            return FloatW.MultiplyAdd(FloatW.Gather(_table + column + 6, index) - a, t, a);
-        }
 
         // The factor itself is steep near the horizon.
-        factor = new(1f / (1f - Between(0)), 1f / (1f - Between(1)), 1f / (1f - Between(2)));
-        rest = new(Between(3), Between(4), Between(5));
+        RgbW again = RgbW.Mix(RgbW.Gather(_table, index), RgbW.Gather(_table + 6, index), t);
+        factor = new(1f / (1f - again.R), 1f / (1f - again.G), 1f / (1f - again.B));
+        rest = RgbW.Mix(RgbW.Gather(_table + 3, index), RgbW.Gather(_table + 9, index), t);
     }
 
     private static float OverPi(float mean) => mean > 0 ? 1 / (float.Pi * mean) : 0;

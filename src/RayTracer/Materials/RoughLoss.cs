@@ -33,7 +33,7 @@ internal sealed unsafe class RoughLoss
         FloatW place = FloatW.Max(0f, FloatW.Min(cosine, 1f)) * Angles;
         FloatW left = FloatW.Min(FloatW.Floor(place), Angles - 1);
         UIntW index = left.ToIntInRange();
-        FloatW a = FloatW.Gather(_loss, index);
-        return FloatW.MultiplyAdd(FloatW.Gather(_loss + 1, index) - a, place - left, a);
+        FloatW.Gather(_loss, index, out FloatW a, out FloatW b);
+        return FloatW.Mix(a, b, place - left);
     }
 }

@@ -48,9 +48,8 @@ internal sealed unsafe class RoughTransmittance
         FloatW place = FloatW.Max(0f, FloatW.Min(cosine, 1f)) * Angles;
         FloatW left = FloatW.Min(FloatW.Floor(place), Angles - 1);
         UIntW index = left.ToIntInRange();
-        FloatW a = FloatW.Gather(_into, index);
-        FloatW b = FloatW.Gather(_into + 1, index);
-        return FloatW.MultiplyAdd(b - a, place - left, a);
+        FloatW.Gather(_into, index, out FloatW a, out FloatW b);
+        return FloatW.Mix(a, b, place - left);
     }
 
     /// <summary>The parts of light that are reflected and let through at a cosine.</summary>

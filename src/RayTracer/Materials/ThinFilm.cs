@@ -53,13 +53,7 @@ internal sealed unsafe class ThinFilm(float index)
         FloatW first = FloatW.Floor(place);
         FloatW part = place - first;
         UIntW at = first.ToIntInRange() * 3u;
-        FloatW Between(float* channel)
-        {
-            FloatW low = FloatW.Gather(channel, at);
-            return FloatW.MultiplyAdd(FloatW.Gather(channel + 3, at) - low, part, low);
-        }
-
-        return new(Between(s_cosines.Pointer), Between(s_cosines.Pointer + 1), Between(s_cosines.Pointer + 2));
+        return RgbW.Mix(RgbW.Gather(s_cosines.Pointer, at), RgbW.Gather(s_cosines.Pointer + 3, at), part);
     }
 
     // The last numbers are 0: so are all beyond.

@@ -59,24 +59,24 @@ internal sealed unsafe class PlacedGrid(VolumeGrid grid, Transform place, GridIn
         UIntW d = y1 + z1;
         if (_stride > 1)
         {
-            RgbW Line(UIntW row) => Mix(RgbW.Gather(values, row + x0), RgbW.Gather(values, row + x1), x);
-            value = Mix(Mix(Line(a), Line(b), y), Mix(Line(c), Line(d), y), z);
+            RgbW Line(UIntW row) => RgbW.Mix(RgbW.Gather(values, row + x0), RgbW.Gather(values, row + x1), x);
+            value = RgbW.Mix(RgbW.Mix(Line(a), Line(b), y), RgbW.Mix(Line(c), Line(d), y), z);
         }
         else if (UIntW.Equal(x1, x0 + 1u).Bits == MaskW.All.Bits)
         {
             FloatW Line(UIntW row)
             {
                 FloatW.Gather(values, row, out FloatW low, out FloatW high);
-                return Mix(low, high, x);
+                return FloatW.Mix(low, high, x);
             }
 
-            value = Same(Mix(Mix(Line(a + x0), Line(b + x0), y), Mix(Line(c + x0), Line(d + x0), y), z));
+            value = Same(FloatW.Mix(FloatW.Mix(Line(a + x0), Line(b + x0), y), FloatW.Mix(Line(c + x0), Line(d + x0), y), z));
         }
         else
         {
             // Where the grid ends.
-            FloatW Line(UIntW row) => Mix(FloatW.Gather(values, row + x0), FloatW.Gather(values, row + x1), x);
-            value = Same(Mix(Mix(Line(a), Line(b), y), Mix(Line(c), Line(d), y), z));
+            FloatW Line(UIntW row) => FloatW.Mix(FloatW.Gather(values, row + x0), FloatW.Gather(values, row + x1), x);
+            value = Same(FloatW.Mix(FloatW.Mix(Line(a), Line(b), y), FloatW.Mix(Line(c), Line(d), y), z));
         }
     }
 
@@ -132,10 +132,4 @@ internal sealed unsafe class PlacedGrid(VolumeGrid grid, Transform place, GridIn
     private UIntW Row(FloatW i, int count, uint stride) => FloatW.Max(0f, FloatW.Min(wrapping.Index(i, count), count - 1)).ToIntInRange() * stride;
 
     private static RgbW Same(FloatW value) => new(value, value, value);
-
-    [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    private static FloatW Mix(FloatW a, FloatW b, FloatW t) => FloatW.MultiplyAdd(b - a, t, a);
-
-    [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    private static RgbW Mix(in RgbW a, in RgbW b, FloatW t) => new(Mix(a.R, b.R, t), Mix(a.G, b.G, t), Mix(a.B, b.B, t));
 }

@@ -68,6 +68,5 @@ internal sealed unsafe class TablePhase : PhaseFunction
         return FloatW.Min(FloatW.MultiplyAdd(interval.ToFloat() + part, 2f / _intervals, -1f), 1f);
     }
 
-    private void Ends(UIntW interval, out FloatW low, out FloatW high) =>
-        (low, high) = (FloatW.Gather(_densities.Pointer, interval), FloatW.Gather(_densities.Pointer + 1, interval));
+    private void Ends(UIntW interval, out FloatW low, out FloatW high) => FloatW.Gather(_densities.Pointer, interval, out low, out high);
 }

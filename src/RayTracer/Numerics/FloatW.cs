@@ -253,6 +253,10 @@ public readonly unsafe struct FloatW
         return PickAny(table, lanes);
     }
 
+    /// <summary>From <paramref name="a"/> where <paramref name="t"/> is 0 to <paramref name="b"/> where it is 1.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    internal static FloatW Mix(FloatW a, FloatW b, FloatW t) => MultiplyAdd(b - a, t, a);
+
     /// <summary>table[first] and table[first + 1] for indices in a register, each below 2³¹: a load takes both.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static void Gather(float* table, UIntW first, out FloatW a, out FloatW b)

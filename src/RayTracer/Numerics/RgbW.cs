@@ -29,6 +29,10 @@ public readonly struct RgbW
         return new(r, g, b);
     }
 
+    /// <summary>From <paramref name="a"/> where <paramref name="t"/> is 0 to <paramref name="b"/> where it is 1.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    internal static RgbW Mix(in RgbW a, in RgbW b, FloatW t) => new(FloatW.Mix(a.R, b.R, t), FloatW.Mix(a.G, b.G, t), FloatW.Mix(a.B, b.B, t));
+
     /// <summary>Relative luminances, with the bits of <see cref="Rgb.Luminance"/>.</summary>
     public FloatW Luminance
     {

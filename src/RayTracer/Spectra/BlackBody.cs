@@ -37,13 +37,7 @@ internal static unsafe class BlackBody
         FloatW first = FloatW.Floor(place);
         UIntW at = first.ToIntInRange() * 3u;
         MaskW shines = temperature > Coldest;
-        FloatW Between(float* channel)
-        {
-            FloatW low = FloatW.Gather(channel, at);
-            return shines.Select(FloatW.MultiplyAdd(FloatW.Gather(channel + 3, at) - low, place - first, low), 0f);
-        }
-
-        return new(Between(s_colors.Pointer), Between(s_colors.Pointer + 1), Between(s_colors.Pointer + 2));
+        return shines.Select(RgbW.Mix(RgbW.Gather(s_colors.Pointer, at), RgbW.Gather(s_colors.Pointer + 3, at), place - first), Rgb.Black);
     }
 
     private static PinnedBuffer<float> Colors()

@@ -60,9 +60,8 @@ internal sealed unsafe class Wavelengths
     {
         FloatW scaled = u * Steps;
         UIntW step = scaled.ToIntInRange();
-        FloatW from = FloatW.Gather(_wavelengths.Pointer, step);
-        FloatW to = FloatW.Gather(_wavelengths.Pointer + 1, step);
-        wavelength = FloatW.MultiplyAdd(to - from, scaled - step.ToFloat(), from);
+        FloatW.Gather(_wavelengths.Pointer, step, out FloatW from, out FloatW to);
+        wavelength = FloatW.Mix(from, to, scaled - step.ToFloat());
         weight = new(FloatW.Gather(_red.Pointer, step), FloatW.Gather(_green.Pointer, step), FloatW.Gather(_blue.Pointer, step));
     }
 

@@ -31,15 +31,15 @@ internal static class GradientNoise
         Split(p.Z, out UIntW z0, out UIntW z1, out FloatW z);
         FloatW sx = Fade(x);
         FloatW sy = Fade(y);
-        FloatW near = Mix(
-            Mix(TSlopes.At(x0, y0, z0, seed, x, y, z), TSlopes.At(x1, y0, z0, seed, x - 1f, y, z), sx),
-            Mix(TSlopes.At(x0, y1, z0, seed, x, y - 1f, z), TSlopes.At(x1, y1, z0, seed, x - 1f, y - 1f, z), sx),
+        FloatW near = FloatW.Mix(
+            FloatW.Mix(TSlopes.At(x0, y0, z0, seed, x, y, z), TSlopes.At(x1, y0, z0, seed, x - 1f, y, z), sx),
+            FloatW.Mix(TSlopes.At(x0, y1, z0, seed, x, y - 1f, z), TSlopes.At(x1, y1, z0, seed, x - 1f, y - 1f, z), sx),
             sy);
-        FloatW far = Mix(
-            Mix(TSlopes.At(x0, y0, z1, seed, x, y, z - 1f), TSlopes.At(x1, y0, z1, seed, x - 1f, y, z - 1f), sx),
-            Mix(TSlopes.At(x0, y1, z1, seed, x, y - 1f, z - 1f), TSlopes.At(x1, y1, z1, seed, x - 1f, y - 1f, z - 1f), sx),
+        FloatW far = FloatW.Mix(
+            FloatW.Mix(TSlopes.At(x0, y0, z1, seed, x, y, z - 1f), TSlopes.At(x1, y0, z1, seed, x - 1f, y, z - 1f), sx),
+            FloatW.Mix(TSlopes.At(x0, y1, z1, seed, x, y - 1f, z - 1f), TSlopes.At(x1, y1, z1, seed, x - 1f, y - 1f, z - 1f), sx),
             sy);
-        return Mix(near, far, Fade(z));
+        return FloatW.Mix(near, far, Fade(z));
     }
 
     /// <summary>
@@ -86,8 +86,6 @@ internal static class GradientNoise
 
     // The fifth-degree curve with two derivatives that vanish at both ends.
     private static FloatW Fade(FloatW t) => t * t * t * FloatW.MultiplyAdd(t, FloatW.MultiplyAdd(t, 6f, -15f), 10f);
-
-    private static FloatW Mix(FloatW a, FloatW b, FloatW t) => FloatW.MultiplyAdd(b - a, t, a);
 
     // The product of the gradient of a point of the grid with the way from there.
     private interface ISlopes
