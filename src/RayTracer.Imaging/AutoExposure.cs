@@ -17,7 +17,7 @@ public static class AutoExposure
     /// <summary>
     /// The stops of an exposure; of an automatic one those that make the geometric mean of the luminance of all pixels that are not
     /// black (Reinhard et al. 2002, Equation 1) a middle grey; of a limited one those that leave at most a quarter of these pixels brighter
-    /// than 1, and 0 where that is so already. They depend on the pixels alone, whose logarithms are added up in their order.
+    /// than 1, and 0 where that is so already. They depend on the pixels alone, in their order.
     /// </summary>
     /// <param name="exposure">The exposure.</param>
     /// <param name="image">Linear light.</param>
@@ -47,12 +47,15 @@ public static class AutoExposure
     private sealed class Brightness(bool needsMean)
     {
         private readonly long[] _above = new long[(StepsPerStop * (int)Exposure.Limit) + 1];
-        private double _sum;
         private long _lit;
+
+        // The product of all luminances, from 1 up to 2, and its binary exponent: one logarithm serves for all.
+        private double _product = 1;
+        private long _exponent;
 
         // Both in steps.
         public int StopsToGrey => _lit == 0 ? 0
-            : (int)Math.Round(StepsPerStop * Math.Clamp(PortableMath.Log2(MiddleGrey) - (_sum / _lit), -Exposure.Limit, Exposure.Limit));
+            : (int)Math.Round(StepsPerStop * Math.Clamp(PortableMath.Log2(MiddleGrey) - ((_exponent + PortableMath.Log2(_product)) / _lit), -Exposure.Limit, Exposure.Limit));
 
         public int StopsToLimit
         {
@@ -69,22 +72,30 @@ public static class AutoExposure
 
         public void Add(float luminance)
         {
-            if (luminance > 0 && float.IsFinite(luminance))
+            if (!(luminance > 0) || !float.IsFinite(luminance))
             {
-                _lit++;
-                if (luminance <= 1 && !needsMean)
-                {
-                    return;
-                }
-
-                double stops = PortableMath.Log2(luminance);
-                _sum += stops;
-                if (stops > 0)
-                {
-                    // White is 1 but for rounding.
-                    _above[Math.Min((int)Math.Round(StepsPerStop * stops), _above.Length - 1)]++;
-                }
+                return;
             }
+
+            _lit++;
+            if (needsMean)
+            {
+                Multiply(luminance);
+            }
+            else if (luminance > 1)
+            {
+                // White is 1 but for rounding.
+                _above[Math.Min((int)Math.Round(StepsPerStop * PortableMath.Log2(luminance)), _above.Length - 1)]++;
+            }
+        }
+
+        private void Multiply(double luminance)
+        {
+            const int mantissaBits = 52;
+            long bits = BitConverter.DoubleToInt64Bits(_product * luminance);
+            long exponent = (bits >> mantissaBits) - 1023;
+            _exponent += exponent;
+            _product = BitConverter.Int64BitsToDouble(bits - (exponent << mantissaBits));
         }
     }
 }

@@ -1,3 +1,4 @@
+using System.Runtime.CompilerServices;
 using RayTracer.Description;
 using RayTracer.Numerics;
 
@@ -9,6 +10,9 @@ public static class ToneMapping
     // Beyond this every curve has long been flat; it keeps products of two such numbers finite.
     private const float Brightest = 1e15f;
 
+    // Up to here, soft leaves colours as they are.
+    private const float Shoulder = 0.7f;
+
     /// <summary>
     /// Maps a colour. A NaN channel may spread to the others; no other input gives NaN, except with <see cref="ToneMap.Clamp"/>, which is
     /// the identity.
@@ -16,32 +20,37 @@ public static class ToneMapping
     /// <param name="map">The curve.</param>
     /// <param name="colour">Linear light, any value.</param>
     /// <returns>Linear light of the display. It may lie slightly outside [0, 1], which the encoding cuts off.</returns>
-    public static Rgb Apply(ToneMap map, Rgb colour) => map switch
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public static Rgb Apply(ToneMap map, Rgb colour) =>
+        map == ToneMap.Clamp ? colour : map == ToneMap.Soft ? Soft(Bounded(colour)) : ApplyOther(map, colour);
+
+    private static Rgb ApplyOther(ToneMap map, Rgb colour) => map switch
     {
-        ToneMap.Soft => Soft(Bounded(colour)),
         ToneMap.Reinhard => Reinhard(Bounded(colour)),
         ToneMap.Aces => Aces(Bounded(colour)),
         ToneMap.Agx => Agx(Bounded(colour)),
         _ => colour,
     };
 
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
     private static Rgb Bounded(Rgb c) => new(Bounded(c.R), Bounded(c.G), Bounded(c.B));
 
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
     private static float Bounded(float v) => v > Brightest ? Brightest : v < 0 ? 0 : v;
 
     // Khronos Group 2024: what exceeds the shoulder in the strongest channel is compressed towards 1, and the stronger, the more white is
     // added. Its offset, which takes reflections of white surroundings from the colours of things, is for viewers without them.
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
     private static Rgb Soft(Rgb c)
     {
-        const float Shoulder = 0.7f;
+        float peak = MathF.Max(c.R, MathF.Max(c.G, c.B));
+        return peak <= Shoulder ? c : Compressed(c, peak);
+    }
+
+    private static Rgb Compressed(Rgb c, float peak)
+    {
         const float Fading = 0.05f;
         const float Room = 1 - Shoulder;
-        float peak = MathF.Max(c.R, MathF.Max(c.G, c.B));
-        if (peak <= Shoulder)
-        {
-            return c;
-        }
-
         float shown = 1 - (Room * Room / (peak - Shoulder + Room));
         float white = 1 - (1 / ((Fading * (peak - shown)) + 1));
         return (c * (shown / peak * (1 - white))) + (new Rgb(shown, shown, shown) * white);

@@ -59,15 +59,17 @@ internal sealed unsafe class RayGenerator(Scene scene, int maxPixels, bool split
     {
         Begin(tile.Pixels, samples);
         uint seed = (uint)scene.Render.Seed;
-        int i = 0;
-        for (int y = tile.Y; y < tile.Y + tile.Height; y++)
+        for (int row = 0, i = 0; row < tile.Height; row++, i += tile.Width)
         {
-            for (int x = tile.X; x < tile.X + tile.Width; x++, i++)
+            (int y, uint first) = (tile.Y + row, (uint)(((tile.Y + row) * scene.Render.Width) + tile.X));
+            for (int x = 0; x < tile.Width; x += FloatW.Count)
             {
-                _x.Pointer[i] = x;
-                _y.Pointer[i] = y;
-                _number.Pointer[i] = (uint)((y * scene.Render.Width) + x);
-                _key.Pointer[i] = Hash.PixelKey(seed, _number.Pointer[i]);
+                // What is written beside a row belongs to the next.
+                UIntW number = UIntW.Iota + (first + (uint)x);
+                (FloatW.Iota + (tile.X + x)).Store(_x.Pointer + i + x);
+                ((FloatW)y).Store(_y.Pointer + i + x);
+                number.Store(_number.Pointer + i + x);
+                Hash.PixelKey(seed, number).Store(_key.Pointer + i + x);
             }
         }
     }

@@ -17,8 +17,6 @@ internal sealed unsafe class GridDistribution
     private readonly PinnedBuffer<float> _rowsUpTo;
     private readonly PinnedBuffer<float> _columnsUpTo;
 
-    // Where to look for a number: [0, 1] is cut into as many parts as there are cells, and the entries of parts before each one end there (the guide table
-    // of Chen & Asau 1974).
     private readonly PinnedBuffer<uint> _rowGuides;
     private readonly PinnedBuffer<uint> _columnGuides;
 
@@ -75,16 +73,7 @@ internal sealed unsafe class GridDistribution
     // The last entry that is not above u.
     private static void Search(float* table, uint* guides, UIntW first, int count, in FloatW u, out UIntW found, out FloatW rest, out FloatW width)
     {
-        UIntW part = FloatW.Max(0f, FloatW.Min(u * count, count - 1f)).ToIntInRange();
-        UIntW.Gather(guides, first + part, out found, out UIntW last);
-        for (UIntW entries = last - found + 1u; (entries > 1u).Any;)
-        {
-            UIntW half = entries >> 1;
-            MaskW isBelow = FloatW.Gather(table, first + found + half) <= u;
-            found = isBelow.Select(found + half, found);
-            entries = isBelow.Select(entries - half, half);
-        }
-
+        found = GuideTable.Find(table, guides, first, count, u);
         FloatW.Gather(table, first + found, out FloatW before, out FloatW after);
         width = after - before;
 
@@ -119,18 +108,7 @@ internal sealed unsafe class GridDistribution
             upTo[i + 1] = i >= last ? 1 : (float)((seen + double.Floor(before * scale)) / Units);
         }
 
-        uint entry = 0;
-        for (int part = 0; part <= weights.Length; part++)
-        {
-            // Rounded as lanes round: an entry of an earlier part than a number's is below the number.
-            while (entry < weights.Length && (int)(upTo[entry + 1] * weights.Length) < part)
-            {
-                entry++;
-            }
-
-            guides[part] = entry;
-        }
-
+        GuideTable.Fill(upTo, weights.Length, guides);
         return sum;
     }
 }

@@ -37,6 +37,9 @@ public static class Hash
     /// <param name="pixel">y · width + x.</param>
     public static uint PixelKey(uint seed, uint pixel) => Mix(Mix(pixel ^ Mix(seed)) + (seed * 0x85EBCA6Bu));
 
+    /// <summary>As <see cref="PixelKey(uint, uint)"/>, for many pixels.</summary>
+    internal static UIntW PixelKey(uint seed, UIntW pixel) => Mix(Mix(pixel ^ Mix(seed)) + (seed * 0x85EBCA6Bu));
+
     /// <summary>The key of one group of dimensions of a pixel.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static UIntW GroupKey(UIntW pixelKey, UIntW group) => Mix(pixelKey + (group * Golden));

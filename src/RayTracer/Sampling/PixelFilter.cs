@@ -13,10 +13,14 @@ internal sealed unsafe class PixelFilter
 {
     private const uint Cells = 256;
     private const int CellsBeforeChange = 192;
+
+    // In pixels: of what is narrower, all samples are taken in the middle.
+    private const float LeastRadius = 1f / 64;
     private readonly PinnedBuffer<float> _memory = new(3 * (Cells + 1));
     private readonly float* _place;
     private readonly float* _density;
     private readonly float* _share;
+    private readonly PinnedBuffer<uint> _guides = new(Cells + 1);
     private readonly float _signChange;
     private readonly float _norm;
     private readonly float _radius;
@@ -54,6 +58,9 @@ internal sealed unsafe class PixelFilter
             _share[i] = (float)(share[i] / share[Cells]);
         }
 
+        // A share of 1 is of the last cell, also where the cells before it hold nothing.
+        GuideTable.Fill(_share, (int)Cells, _guides.Pointer);
+        _guides.Pointer[Cells] = Cells - 1;
         _signChange = _place[before];
         _norm = (float)(share[Cells] / signedSum);
         _radius = _place[Cells];
@@ -75,8 +82,8 @@ internal sealed unsafe class PixelFilter
     /// <param name="y">In: another random number. Out: the distance from the pixel's top edge.</param>
     public void Place(ref FloatW x, ref FloatW y)
     {
-        x = Offset(x) + 0.5f;
-        y = Offset(y) + 0.5f;
+        x = _radius < LeastRadius ? 0.5f : Offset(x) + 0.5f;
+        y = _radius < LeastRadius ? 0.5f : Offset(y) + 0.5f;
     }
 
     /// <summary>The factor on the radiance of samples: 1 in the mean; negative where one of the offsets lies in a negative lobe.</summary>
@@ -175,12 +182,7 @@ internal sealed unsafe class PixelFilter
     {
         FloatW side = FloatW.MultiplyAdd(u, 2f, -1f);
         FloatW share = FloatW.Abs(side);
-        UIntW cell = 0u;
-        for (uint step = Cells / 2; step > 0; step /= 2)
-        {
-            UIntW next = cell + step;
-            cell = (FloatW.Gather(_share, next) <= share).Select(next, cell);
-        }
+        UIntW cell = GuideTable.Find(_share, _guides.Pointer, 0u, (int)Cells, share);
 
         // Within a cell the density is a + slope·x, and its integral the rest.
         FloatW.Gather(_place, cell, out FloatW start, out FloatW end);

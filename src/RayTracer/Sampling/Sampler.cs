@@ -14,7 +14,7 @@ public abstract class Sampler(int samplesPerPixel)
     public int SamplesPerPixel { get; } = samplesPerPixel;
 
     /// <summary>Prepares a group of pairs for each lane.</summary>
-    /// <param name="pixelKey">Keys of the pixels (<see cref="Hash.PixelKey"/>).</param>
+    /// <param name="pixelKey">Keys of the pixels (<see cref="Hash.PixelKey(uint, uint)"/>).</param>
     /// <param name="sample">Numbers of the samples, from 0.</param>
     /// <param name="group">Numbers of the groups (<see cref="Dimensions"/>).</param>
     /// <param name="points">The state for <see cref="Pair"/>.</param>
