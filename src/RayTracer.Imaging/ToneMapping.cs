@@ -10,9 +10,6 @@ public static class ToneMapping
     // Beyond this every curve has long been flat; it keeps products of two such numbers finite.
     private const float Brightest = 1e15f;
 
-    // Up to here, soft leaves colours as they are.
-    private const float Shoulder = 0.7f;
-
     /// <summary>
     /// Maps a colour. A NaN channel may spread to the others; no other input gives NaN, except with <see cref="ToneMap.Clamp"/>, which is
     /// the identity.
@@ -43,14 +40,15 @@ public static class ToneMapping
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     private static Rgb Soft(Rgb c)
     {
-        float peak = MathF.Max(c.R, MathF.Max(c.G, c.B));
-        return peak <= Shoulder ? c : Compressed(c, peak);
-    }
-
-    private static Rgb Compressed(Rgb c, float peak)
-    {
+        const float Shoulder = 0.7f;
         const float Fading = 0.05f;
         const float Room = 1 - Shoulder;
+        float peak = MathF.Max(c.R, MathF.Max(c.G, c.B));
+        if (peak <= Shoulder)
+        {
+            return c;
+        }
+
         float shown = 1 - (Room * Room / (peak - Shoulder + Room));
         float white = 1 - (1 / ((Fading * (peak - shown)) + 1));
         return (c * (shown / peak * (1 - white))) + (new Rgb(shown, shown, shown) * white);

@@ -123,6 +123,17 @@ public class PixelFilterTests
         }
     }
 
+    [Theory]
+    [InlineData(0.01f, true)]
+    [InlineData(0.02f, false)]
+    public void Samples_of_a_filter_narrower_than_a_64th_of_a_pixel_are_taken_in_the_middle(float radius, bool isMiddle)
+    {
+        (FloatW x, FloatW y) = (0.25f, 0.9f);
+        PixelFilter.Create(new() { Radius = radius })!.Place(ref x, ref y);
+        Assert.Equal(isMiddle ? 0.5f : 0.5f - (0.5f * radius), x[0], 1e-6f);
+        Assert.Equal(isMiddle ? 0.5f : 0.5f + (0.8f * radius), y[0], 1e-6f);
+    }
+
     [Fact]
     public void The_default_is_the_mean_over_the_pixel_to_the_bit()
     {
