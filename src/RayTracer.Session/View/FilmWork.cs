@@ -40,6 +40,7 @@ internal sealed class FilmWork(FrameBoard frames)
     private object? _previewFactors;
     private int _samplesBefore;
     private bool _isFromFile;
+    private bool _hasSamples;
 
     /// <summary>The picture, between steps.</summary>
     public Film? Film { get; private set; }
@@ -157,7 +158,11 @@ internal sealed class FilmWork(FrameBoard frames)
         IReadOnlyList<FilmPlane> planes = FilmPlane.Needed(render.Integrator, noise: _textbook is null);
         if (Film?.Width == width && Film.Height == height && Film.Planes.SequenceEqual(planes))
         {
-            Film.Clear();
+            // Thirty megabytes, at each step of a camera that moves.
+            if (_hasSamples)
+            {
+                Film.Clear();
+            }
         }
         else
         {
@@ -169,6 +174,7 @@ internal sealed class FilmWork(FrameBoard frames)
         }
 
         Film = begun ?? Film;
+        _hasSamples = begun is not null;
         _lights.Begin(wanted, Film!);
         Shown = wanted;
         _samplesBefore = begun is null ? wanted.First : wanted.Start!.Held.End;
@@ -278,6 +284,7 @@ internal sealed class FilmWork(FrameBoard frames)
     {
         Slice slice = _plan.Next(_seconds, _rendered > 0 ? _seconds / _rendered : 0);
         long start = Stopwatch.GetTimestamp();
+        _hasSamples = true;
         RenderOptions options = new() { Threads = wanted.Settings.Threads, Crop = slice.Area, Samples = slice.Samples, Layers = _lights.Film };
         RenderStatistics statistics = _textbook is null ? new RTracer(wanted.Scene, options).Render(Film!, null, cancellation)
             : new TextbookRender(_textbook, options).Render(Film!, null, cancellation);
