@@ -5,14 +5,13 @@ internal static class MitsubaPlugins
 {
     /// <summary>The reasons.</summary>
     public static IReadOnlyDictionary<(string Kind, string Type), string> Refused { get; } = """
-        shape bsplinecurve: curves are not rendered
-        shape linearcurve: curves are not rendered
+        shape bsplinecurve: bent curves are not rendered, and "linearcurve" is read
         shape sdfgrid: surfaces of distance fields are not rendered
         shape heightfield: a mesh of the same heights is
         shape ellipsoids: splats are not rendered
         shape ellipsoidsmesh: splats are not rendered
         shape blender: its meshes lie in the memory of another program
-        bsdf hair: there are no curves that it could cover
+        bsdf hair: light within hairs is not simulated
         bsdf measured: measured tables are not read
         bsdf measured_polarized: light has no polarisation here
         bsdf polarizer: light has no polarisation here

@@ -9,7 +9,7 @@ namespace RayTracer.Import;
 internal sealed class MitsubaShapes(ImportReading reading, MitsubaTextures textures, MitsubaBsdfs bsdfs, MitsubaEmitters emitters)
 {
     private static readonly string[] s_types =
-        ["rectangle", "sphere", "disk", "cylinder", "cube", "obj", "ply", "serialized", "shapegroup", "instance", "merge"];
+        ["rectangle", "sphere", "disk", "cylinder", "cube", "obj", "ply", "serialized", "linearcurve", "shapegroup", "instance", "merge"];
 
     private readonly Dictionary<MitsubaObject, ShapeDescription> _groups = [];
 
@@ -76,6 +76,11 @@ internal sealed class MitsubaShapes(ImportReading reading, MitsubaTextures textu
         }
 
         MaterialDescription material = Material(shape);
+        if (shape.Type == "linearcurve")
+        {
+            return MitsubaCurves.Read(shape, material);
+        }
+
         if (shape.Type is not ("obj" or "ply" or "serialized"))
         {
             return MitsubaSurfaces.Read(shape, material);

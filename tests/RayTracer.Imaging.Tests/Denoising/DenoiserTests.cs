@@ -47,6 +47,27 @@ public class DenoiserTests
         Assert.InRange(Error(Denoiser.Denoise(halves[0], halves[1]).Picture, reference) / Error(raw, reference), 0, 0.4);
     }
 
+    // What fog hides are a horizon and a board of chess: neither is to be seen in it once noise is gone.
+    [Fact]
+    public void Dense_fog_shows_nothing_of_what_is_behind_it()
+    {
+        Scene Hidden(int samples, long seed) => TestScenes.Build($$"""
+            { "render": { "width": 72, "height": 48, "samplesPerPixel": {{samples}}, "seed": {{seed + (100L * TestSettings.Seed)}}, "integrator": "volPath" },
+              "camera": { "position": [0, 1.2, 6], "lookAt": [0, 1.2, 0], "fieldOfView": 18 }, "background": [0.55, 0.65, 0.8],
+              "shapes": [
+                { "type": "plane", "point": [0, 0, 0], "normal": [0, 1, 0], "material": { "type": "diffuse",
+                    "color": { "type": "checker", "even": [0.6, 0.3, 0.1], "odd": [0.1, 0.2, 0.1], "scale": [1, 1] } } },
+                { "type": "box", "a": [-4, 0.1, -1], "b": [4, 3, 1], "material": { "type": "invisible", "interior": { "extinction": [5, 5, 5], "albedo": [0.9, 0.9, 0.9] } } }],
+              "lights": [{ "type": "sphere", "center": [3, 5, 6], "radius": 0.7, "material": { "type": "luminaire", "multiplier": 18 } }] }
+            """);
+        HalfRender[] halves = Halves(Hidden(16, 1));
+        Film raw = new(72, 48);
+        raw.Merge(halves[0].Film);
+        raw.Merge(halves[1].Film);
+        Film reference = new RTracer(Hidden(1024, 2)).Render().Film;
+        Assert.InRange(Error(Denoiser.Denoise(halves[0], halves[1]).Picture, reference) / Error(raw, reference), 0, 0.04);
+    }
+
     [Theory]
     [InlineData(4)]
     [InlineData(30)]

@@ -11,7 +11,10 @@ public sealed class FirstHitPass(Scene scene, RenderOptions? options = null)
     private const int LargestTile = 32;
     private readonly RenderOptions _options = options ?? new();
 
-    /// <summary>True to look through mirrors and clear glass, to the first surface that scatters most of the light to many directions.</summary>
+    /// <summary>
+    /// True to look through mirrors and clear glass, to the first surface that scatters most of the light to many directions. Media that scatter or send light weaken its albedo and its
+    /// normal, as they do the light.
+    /// </summary>
     public bool SeesThrough { get; init; }
 
     /// <summary>Adds the samples.</summary>

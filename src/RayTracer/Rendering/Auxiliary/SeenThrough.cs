@@ -1,5 +1,6 @@
 using System.Numerics;
 using RayTracer.Materials;
+using RayTracer.Media;
 using RayTracer.Numerics;
 using RayTracer.Sampling;
 
@@ -21,6 +22,7 @@ internal sealed unsafe class SeenThrough : InteriorShader
 
     // Chooses what is more likely: chance would only be noise of the features.
     private readonly VertexSamples _middle = new(new Middle());
+    private readonly PinnedBuffer<FlightW> _flight = new(1);
     private AovFilm? _film;
     private SeenPlanes? _planes;
     private (Vector3 Origin, Vector3 Direction, float Length)[] _firsts = [];
@@ -97,14 +99,38 @@ internal sealed unsafe class SeenThrough : InteriorShader
         }
     }
 
-    /// <summary>Media hide nothing.</summary>
+    /// <summary>
+    /// Media that scatter or send light hide what is behind them, as much as they weaken it: what they hide counts as nothing. What they leave is computed, since
+    /// chance would be noise. In planes, where the light is a single sample, they hide nothing.
+    /// </summary>
     internal override void SampleMedia(PathStream stream)
     {
+        for (int i = 0; Scene.HasMedia && _planes is null && i < stream.Count; i += FloatW.Count)
+        {
+            UIntW media = MaskW.First(stream.Count - i).Select(UIntW.Load(stream.Media + i), 0u);
+            UIntW vertex = UIntW.Load(stream.State + i) & PathState.VertexMask;
+            Vec3W direction = new(FloatW.Load(stream.DirectionX + i), FloatW.Load(stream.DirectionY + i), FloatW.Load(stream.DirectionZ + i));
+            FloatW distance = FloatW.Load(stream.Distance + i);
+            MaskW isFirst = UIntW.Equal(vertex, 0u) & UIntW.Equal(MediumStack.Crossings(media), 0u);
+            FloatW passed = isFirst.Select(1f, FloatW.Load(stream.Passed + i));
+            passed *= Scene.Media.MeanPassing(media, MediumTable.Transmittance(Scene.Media.Extinction(media, direction), distance));
+            if (Scene.HasVaryingMedia)
+            {
+                Vec3W origin = new(FloatW.Load(stream.OriginX + i), FloatW.Load(stream.OriginY + i), FloatW.Load(stream.OriginZ + i));
+                Weaken(media, origin, direction, distance, ref passed);
+            }
+
+            passed.Store(stream.Passed + i);
+        }
     }
 
     /// <inheritdoc/>
     protected override void Carry(PathStream stream, PathStream next, uint* index, uint going)
     {
+        if (Scene.HasMedia)
+        {
+            next.SetPassed(going, FloatW.Pick(stream.Passed, index));
+        }
     }
 
     /// <inheritdoc/>
@@ -132,6 +158,13 @@ internal sealed unsafe class SeenThrough : InteriorShader
         MaskW through = GoThrough(group, ref packet, stream, next, index, lanes);
         group.Material.Albedo(surface, out RgbW albedo);
         albedo *= stream.PickThroughput(index);
+        Vec3W normal = surface.Facing;
+        if (Scene.HasMedia && _planes is null)
+        {
+            FloatW passed = FloatW.Pick(stream.Passed, index);
+            (albedo, normal) = (albedo * passed, normal * passed);
+        }
+
         for (uint rest = lanes.Except(through).Bits; rest != 0; rest &= rest - 1)
         {
             int lane = BitOperations.TrailingZeroCount(rest);
@@ -140,7 +173,7 @@ internal sealed unsafe class SeenThrough : InteriorShader
             {
                 (Vector3 origin, Vector3 direction, float length) = _firsts[stream.Path[ray]];
                 planes.Take(
-                    planes.Rows.At(_generator.PixelNumbers[stream.Path[ray]]), origin + (direction * length), FirstHits.At(surface.Facing, lane),
+                    planes.Rows.At(_generator.PixelNumbers[stream.Path[ray]]), origin + (direction * length), FirstHits.At(normal, lane),
                     new(albedo.R[lane], albedo.G[lane], albedo.B[lane]), SeenPlanes.SurfaceOf(Scene, stream, ray));
                 continue;
             }
@@ -148,7 +181,7 @@ internal sealed unsafe class SeenThrough : InteriorShader
             FirstHit hit = Hit(stream, ray, out long pixel) with
             {
                 Point = FirstHits.At(surface.Point, lane),
-                Normal = FirstHits.At(surface.Facing, lane),
+                Normal = FirstHits.At(normal, lane),
                 Albedo = new(albedo.R[lane], albedo.G[lane], albedo.B[lane]),
             };
             _film!.Count(pixel, isHit: true);
@@ -182,6 +215,7 @@ internal sealed unsafe class SeenThrough : InteriorShader
             next.SetMedia(going, media, 0f);
         }
 
+        Carry(stream, next, index, going);
         next.Append(
             going, Leave(surface, packet.Scatter.Direction), packet.Scatter.Direction, stream.PickThroughput(index) * packet.Scatter.Weight, default, path, vertex + 1u);
         if (group.IsInstanced)
@@ -190,6 +224,35 @@ internal sealed unsafe class SeenThrough : InteriorShader
         }
 
         return through;
+    }
+
+    // What media that vary leave of what rays have passed so far: by sums over places at even distances. What is left out between them matters less than noise would.
+    private void Weaken(UIntW media, in Vec3W origin, in Vec3W direction, FloatW distance, ref FloatW passed)
+    {
+        ref FlightW flight = ref *_flight.Pointer;
+        foreach ((uint number, VaryingMedium medium) in Scene.Media.Varying)
+        {
+            MaskW inside = UIntW.Equal(MediumStack.Innermost(media), number);
+            MaskW meets = inside.Any && (medium.Scatters || medium.Emits) ? inside & flight.Begin(medium, origin, direction, distance) : MaskW.None;
+            if (!meets.Any)
+            {
+                continue;
+            }
+
+            (int x, int y, int z) = medium.CellCounts;
+            int steps = int.Max(x, int.Max(y, z));
+            FloatW step = flight.End * (1f / steps);
+            RgbW depth = Rgb.Black;
+            for (int i = 0; i < steps; i++)
+            {
+                flight.At = step * (i + 0.5f);
+                medium.Extinction(flight.Place(), flight.Direction, out RgbW extinction);
+                depth += extinction;
+            }
+
+            RgbW left = MediumTable.Transmittance(depth, step);
+            passed *= meets.Select((left.R + left.G + left.B) * (1f / 3), 1f);
+        }
     }
 
     private FirstHit Hit(PathStream stream, int ray, out long pixel) => FirstHits.Hit(stream, ray, _tile, Samples, _width, out pixel);

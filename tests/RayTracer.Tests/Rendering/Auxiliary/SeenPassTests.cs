@@ -23,7 +23,7 @@ public sealed class SeenPassTests
         string media = integrator == "report" ? "" : """
             { "type": "box", "a": [-2.2, -1.2, 2], "b": [-0.6, 1.2, 2.2], "material": { "type": "invisible", "interior": { "extinction": [2, 2, 2], "albedo": [1, 1, 1] } } },
             """;
-        Scene scene = TestScenes.Build($$"""
+        string text = $$"""
             {
               "camera": { "position": [0, 0, 6], "lookAt": [0, 0, 0], "fieldOfView": 45 },
               "render": { "integrator": "{{integrator}}", "width": {{Width}}, "height": {{Height}}, "samplesPerPixel": 16, "sampler": "jittered" },
@@ -39,11 +39,15 @@ public sealed class SeenPassTests
                 { "type": "instance", "of": "pair", "transform": [{ "translate": [1, -0.7, 2] }], "material": { "type": "diffuse", "color": [0.7, 0.1, 0.1] } }
               ]
             }
-            """);
+            """;
+        Scene scene = TestScenes.Build(text);
+
+        // What a denoiser is given is weaker behind fog, but not behind what only absorbs.
+        Scene clear = TestScenes.Build(text.Replace("\"albedo\": [1, 1, 1]", "\"albedo\": [0, 0, 0]", StringComparison.Ordinal));
         RenderOptions options = new() { Threads = 1, Samples = new(Sample, Sample + 1) };
         (Film film, _) = new RTracer(scene, options).Render();
         AovFilm seen = new(new(Width, Height), s_kinds);
-        new FirstHitPass(scene, options) { SeesThrough = true }.Render(seen);
+        new FirstHitPass(clear, options) { SeesThrough = true }.Render(seen);
         PaddedRows rows = new(Width, Height);
         SeenPlanes planes = new(rows);
         Assert.True(new SeenPass(scene, threads).Take(planes, Sample, CancellationToken.None));
