@@ -6,7 +6,9 @@ using RayTracer.Scenes;
 
 namespace RayTracer.Session;
 
-/// <summary>Finds room for a new thing: where it stands on what was pointed at and cuts into nothing, as near as can be.</summary>
+/// <summary>
+/// Finds room for a new thing: where it cuts into nothing, as near as can be; on what was pointed at, else on something else that is seen there.
+/// </summary>
 /// <param name="place">The place that was pointed at.</param>
 /// <param name="late">What is in the text, and not in the picture yet; null for nothing.</param>
 internal sealed class RoomBeside(PlaceInView place, Scene? late)
@@ -34,41 +36,44 @@ internal sealed class RoomBeside(PlaceInView place, Scene? late)
             return default;
         }
 
-        ViewportScene shown = place.Shown;
-        string? thing = Picking.At(shown, place.Pixel.X, place.Pixel.Y).Pointer;
-        float below = place.Below(body, up);
-        for (int ring = 1; ring <= Rings; ring++)
-        {
-            IEnumerable<(Vector3 At, Vector3 Up)> seen = Ring(ring)
-                .Select(p => Picking.At(shown, p.X, p.Y)).Where(s => s.Pointer == thing && s.Normal!.Value.Dot(up) > Alike)
-                .Select(s => (At: s.Position!.Value, Up: s.Normal!.Value)).Where(s => (s.At - place.Point).Norm() < Reach * place.View.Size)
-                .OrderBy(s => (s.At - place.Point).Norm());
-            foreach ((Vector3 at, Vector3 normal) in seen)
-            {
-                bool isLevel = normal.Dot(up) > 1 - 1e-5f;
-                Vector3 by = at - place.Point + (isLevel ? default : (normal * place.Below(body, normal)) - (up * below));
+        string? thing = Picking.At(place.Shown, place.Pixel.X, place.Pixel.Y).Pointer;
+        PickResult[][] rings = [.. Enumerable.Range(1, Rings).Select(Ring)];
+        return OnAny(rings, s => s.Pointer == thing && s.Normal!.Value.Dot(up) > Alike, body, put) ?? OnAny(rings, _ => true, body, put) ?? default;
+    }
 
-                // Round numbers, where the thing does not leave its ground by them.
-                Vector3 round = place.View.Snap(by);
-                by = isLevel && MathF.Abs((round - by).Dot(up)) < 1e-4f * place.View.Size ? round : by;
-                if (IsFree(body, put + by))
-                {
-                    return by;
-                }
+    private Vector3? OnAny(PickResult[][] rings, Func<PickResult, bool> isGround, NewBody body, Vector3 put)
+    {
+        Vector3 up = place.Ground!.Value;
+        float below = place.Below(body, up);
+        foreach (PickResult seen in rings.SelectMany(ring => ring.Where(isGround)))
+        {
+            Vector3 normal = seen.Normal!.Value;
+            bool isLevel = normal.Dot(up) > 1 - 1e-5f;
+            Vector3 by = seen.Position!.Value - place.Point + (isLevel ? default : (normal * place.Below(body, normal)) - (up * below));
+
+            // Round numbers, where the thing does not leave its ground by them.
+            Vector3 round = place.View.Snap(by);
+            by = isLevel && MathF.Abs((round - by).Dot(up)) < 1e-4f * place.View.Size ? round : by;
+            if (IsFree(body, put + by))
+            {
+                return by;
             }
         }
 
-        return default;
+        return null;
     }
 
     private bool IsFree(NewBody body, Vector3 by) => !Array.Exists(_others, o => body.Cuts(o, by));
 
-    private IEnumerable<Vector2> Ring(int ring)
+    // What is seen around the pixel, the nearest first.
+    private PickResult[] Ring(int ring)
     {
         RenderDescription render = place.Shown.Scene.Render;
         float radius = ring * Step * render.Height;
-        return _directions.Select(d => place.Pixel + (radius * d))
-            .Where(p => p.X >= 0 && p.Y >= 0 && p.X < render.Width && p.Y < render.Height);
+        return [.. _directions.Select(d => place.Pixel + (radius * d))
+            .Where(p => p.X >= 0 && p.Y >= 0 && p.X < render.Width && p.Y < render.Height)
+            .Select(p => Picking.At(place.Shown, p.X, p.Y)).Where(s => s.Position is { } at && (at - place.Point).Norm() < Reach * place.View.Size)
+            .OrderBy(s => (s.Position!.Value - place.Point).Norm())];
     }
 
     // Each is the one before, turned by a twelfth.

@@ -1,7 +1,9 @@
 using System.Numerics;
+using RayTracer.Description;
 using RayTracer.Numerics;
 using RayTracer.Rendering;
 using RayTracer.Scenes;
+using RayTracer.Shapes;
 
 namespace RayTracer.Session.Tests;
 
@@ -120,12 +122,34 @@ public sealed class PlaceInViewTests
     }
 
     [Fact]
+    public async Task On_what_is_too_small_for_it_a_thing_stands_beside_that()
+    {
+        using TestSession test = new();
+        ViewportScene shown = await test.OpenShipped("report/scene2.json", 120, 1);
+        Bounds[] before = [.. shown.Scene.Surfaces().Where(s => s.Source is SphereDescription).Select(s => s.Bounds)];
+
+        // The red ball, between two larger ones.
+        (_, string pointer) = test.Session.Edits.Add("shape", "sphere");
+        SceneValue ball = SceneValue.At(test.Session.Document.Read.Root!, pointer)!;
+        Assert.All(before, box =>
+        {
+            float apart = ((box.Minimum + box.Maximum) / 2 - ball.Vector("center")).Length();
+            Assert.True(apart > ((box.Maximum.X - box.Minimum.X) / 2) + (0.97f * ball.Number("radius")), $"{box} and {test.Session.Document.Text}");
+        });
+    }
+
+    [Fact]
     public async Task Where_there_is_no_room_it_stands_where_one_clicks()
     {
         using TestSession test = new();
-        string posts = string.Concat(Enumerable.Range(-16, 33).SelectMany(x => Enumerable.Range(-16, 33).Select(z => FormattableString.Invariant(
-            $$""", { "type": "cylinder", "bottom": [{{x / 2f}}, -0.5, {{z / 2f}}], "top": [{{x / 2f}}, -0.4, {{z / 2f}}], "radius": 0.1 }"""))));
-        ViewportScene shown = await test.Open(Room.Replace("\n  ]", posts + "\n  ]", StringComparison.Ordinal));
+        ViewportScene shown = await test.Open("""
+            {
+              "camera": { "position": [0, 0.2, 8], "lookAt": [0, -0.5, 0], "fieldOfView": 60 },
+              "render": { "width": 40, "height": 30, "samplesPerPixel": 1 },
+              "background": [1, 1, 1],
+              "shapes": [ { "type": "plane", "point": [0, -0.5, 0], "normal": [0, 1, 0] }, { "type": "plane", "point": [0, 0.45, 0], "normal": [0, -1, 0] } ]
+            }
+            """);
         Vector3 seen = Picking.At(shown, 20, 15).Position!.Value;
         Assert.Equal(-0.5f, seen.Y, 1e-4f);
         (_, string pointer) = test.Session.Edits.Add("shape", "sphere", at: new(20, 15));
