@@ -40,7 +40,7 @@ function Numbers({ left, right, shown }: { left: number; right: number; shown: s
     setFound(null);
     get<PictureComparison>("view/compare", { image: left, reference: right }).then(setFound, complain);
   }, [left, right]);
-  if (!found) return null;
+  if (!found) return <p class="quiet" role="status">{t.comparing}</p>;
   return (
     <div role="status">
       <p class="figures">RMSE {format(found.rmse, 4)}, FLIP {format(found.flip, 4)}</p>
