@@ -39,7 +39,7 @@ public class TimeWalks(ChromiumBrowser browser)
         await w.Page.GetByRole(AriaRole.Button, new() { Name = "Select what camera.position is of", Exact = true }).ClickAsync();
         await w.Page.GetByRole(AriaRole.Treeitem, new() { NameRegex = new("^jumper") }).ClickAsync();
         await w.Tab("Camera");
-        await w.Painted();
+        await Expect(w.Status).ToContainTextAsync("done");
         await w.Shot("timeline", isShown: true);
 
         // An edit at the playhead is a key.
