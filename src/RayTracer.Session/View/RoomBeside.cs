@@ -7,7 +7,8 @@ using RayTracer.Scenes;
 namespace RayTracer.Session;
 
 /// <summary>
-/// Finds room for a new thing: where it cuts into nothing, as near as can be; on what was pointed at, else on something else that is seen there.
+/// Finds room for a new thing: where it cuts into nothing, as near as can be; on what was pointed at, else on something level that is seen there, else on
+/// anything.
 /// </summary>
 /// <param name="place">The place that was pointed at.</param>
 /// <param name="late">What is in the text, and not in the picture yet; null for nothing.</param>
@@ -21,8 +22,9 @@ internal sealed class RoomBeside(PlaceInView place, Scene? late)
     // In sizes: what stands farther away is not where somebody wanted it.
     private const float Reach = 5;
 
-    // The least cosine between the normals of places that are taken for one surface.
-    private const float Alike = 0.7f;
+    // The least cosine between the normals of places that are taken for one ground, and between that of what is level and the upward direction.
+    private const float Alike = 0.95f;
+
     private static readonly Vector2[] _directions = Around();
     private readonly RayProbe[] _others = late is null ? [new(place.Shown.Scene)] : [new(place.Shown.Scene), new(late)];
 
@@ -37,15 +39,22 @@ internal sealed class RoomBeside(PlaceInView place, Scene? late)
         }
 
         string? thing = Picking.At(place.Shown, place.Pixel.X, place.Pixel.Y).Pointer;
-        PickResult[][] rings = [.. Enumerable.Range(1, Rings).Select(Ring)];
-        return OnAny(rings, s => s.Pointer == thing && s.Normal!.Value.Dot(up) > Alike, body, put) ?? OnAny(rings, _ => true, body, put) ?? default;
+        PickResult[] seen = [.. Enumerable.Range(1, Rings).SelectMany(Ring)];
+        Vector3 upright = CameraController.Local(place.Shown).Inverse().Vector(place.Shown.Camera.Up).Unit();
+
+        // The ground rather than what stands on it, whose tops are level, too.
+        float Height(PickResult s) => MathF.Floor(s.Position!.Value.Dot(upright) / (place.View.Size / 4));
+        return On(seen.Where(s => s.Pointer == thing && s.Normal!.Value.Dot(up) > Alike), body, put)
+            ?? On(seen.Where(s => s.Normal!.Value.Dot(upright) > Alike).OrderBy(Height), body, put)
+            ?? On(seen, body, put)
+            ?? default;
     }
 
-    private Vector3? OnAny(PickResult[][] rings, Func<PickResult, bool> isGround, NewBody body, Vector3 put)
+    private Vector3? On(IEnumerable<PickResult> places, NewBody body, Vector3 put)
     {
         Vector3 up = place.Ground!.Value;
         float below = place.Below(body, up);
-        foreach (PickResult seen in rings.SelectMany(ring => ring.Where(isGround)))
+        foreach (PickResult seen in places)
         {
             Vector3 normal = seen.Normal!.Value;
             bool isLevel = normal.Dot(up) > 1 - 1e-5f;

@@ -1,9 +1,7 @@
 using System.Numerics;
-using RayTracer.Description;
 using RayTracer.Numerics;
 using RayTracer.Rendering;
 using RayTracer.Scenes;
-using RayTracer.Shapes;
 
 namespace RayTracer.Session.Tests;
 
@@ -122,20 +120,23 @@ public sealed class PlaceInViewTests
     }
 
     [Fact]
-    public async Task On_what_is_too_small_for_it_a_thing_stands_beside_that()
+    public async Task Where_there_is_no_room_on_what_is_seen_a_thing_stands_on_the_ground_beside()
     {
         using TestSession test = new();
-        ViewportScene shown = await test.OpenShipped("report/scene2.json", 120, 1);
-        Bounds[] before = [.. shown.Scene.Surfaces().Where(s => s.Source is SphereDescription).Select(s => s.Bounds)];
-
-        // The red ball, between two larger ones.
-        (_, string pointer) = test.Session.Edits.Add("shape", "sphere");
+        ViewportScene shown = await test.Open(Room.Replace("\"shapes\": [", """
+            "shapes": [
+              { "type": "sphere", "center": [0, -0.1, 0], "radius": 0.4 },
+              { "type": "sphere", "center": [-1.6, 0.7, 0], "radius": 1.2 },
+              { "type": "sphere", "center": [1.6, 0.7, 0], "radius": 1.2 },
+            """, StringComparison.Ordinal));
+        Assert.Equal("/shapes/0", Picking.At(shown, 19, 13).Pointer);
+        string pointer = test.Session.Edits.Add("shape", "sphere", at: new(19, 13)).Pointer;
         SceneValue ball = SceneValue.At(test.Session.Document.Read.Root!, pointer)!;
-        Assert.All(before, box =>
+        Assert.Equal(-0.5f + ball.Number("radius"), ball.Vector("center").Y, 2e-3f);
+        foreach ((Vector3 center, float radius) in new[] { (new Vector3(0, -0.1f, 0), 0.4f), (new(-1.6f, 0.7f, 0), 1.2f), (new(1.6f, 0.7f, 0), 1.2f) })
         {
-            float apart = ((box.Minimum + box.Maximum) / 2 - ball.Vector("center")).Length();
-            Assert.True(apart > ((box.Maximum.X - box.Minimum.X) / 2) + (0.97f * ball.Number("radius")), $"{box} and {test.Session.Document.Text}");
-        });
+            Assert.True((ball.Vector("center") - center).Length() > radius + (0.97f * ball.Number("radius")), test.Session.Document.Text);
+        }
     }
 
     [Fact]
