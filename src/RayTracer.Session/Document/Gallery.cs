@@ -215,7 +215,7 @@ public sealed class Gallery : IDisposable
 
     private static string Words(string name)
     {
-        string words = name.Replace('-', ' ');
+        string words = string.Concat(name.Select((c, i) => c == '-' ? " " : i > 0 && char.IsAsciiDigit(c) && char.IsAsciiLetter(name[i - 1]) ? $" {c}" : $"{c}"));
         return words.Length == 0 ? name : char.ToUpperInvariant(words[0]) + words[1..];
     }
 

@@ -16,6 +16,7 @@ public sealed class GalleryTests
         Assert.Equal(["Gallery", "Primer", "The report's scenes", "Meshes and motion"], gallery.Groups.Take(4).Select(g => g.Title));
         GalleryItem sphere = gallery.Groups[1].Items[0];
         Assert.Equal(("primer/01-sphere.json", "Sphere", "A sphere on a plane, under a sky that shines alike from everywhere."), (sphere.Id, sphere.Name, sphere.Summary));
+        Assert.Equal(["Scene 1", "Scene 2", "Scene 3"], gallery.Groups[2].Items.Select(i => i.Name));
         Assert.All(gallery.Groups.SelectMany(g => g.Items), i => Assert.False(string.IsNullOrWhiteSpace(i.Summary), i.Id));
     }
 

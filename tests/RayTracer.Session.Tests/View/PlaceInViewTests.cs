@@ -23,6 +23,9 @@ public sealed class PlaceInViewTests
         }
         """;
 
+    private static readonly string WithBall = Room.Replace(
+        "\"shapes\": [", "\"shapes\": [ { \"type\": \"sphere\", \"center\": [0, 0.5, 0], \"radius\": 1 },", StringComparison.Ordinal);
+
     public static TheoryData<string> Shapes => [.. TypeCatalogue.Instance.Types["shape"].Where(t => t.AddedAs.Contains("shape") && t.Name is not ("model" or "instance" or "plane")).Select(t => t.Name)];
 
     [Theory]
@@ -64,6 +67,96 @@ public sealed class PlaceInViewTests
         Vector3 half = (box.Maximum - box.Minimum) / 2;
         float distance = Vector3.Dot((box.Maximum + box.Minimum) / 2, normal) - Vector3.Dot(Vector3.Abs(normal), half) - Vector3.Dot(new(at, normalY > 0 ? -0.5f : 0, 0), normal);
         Assert.Equal(0, distance, 1e-2f * half.X);
+    }
+
+    [Fact]
+    public async Task On_a_ramp_a_ball_touches_what_is_seen()
+    {
+        using TestSession test = new();
+        await test.Open(Room);
+        (_, string pointer) = test.Session.Edits.Add("shape", "sphere", at: new(38, 13));
+        SceneValue ball = SceneValue.At(test.Session.Document.Read.Root!, pointer)!;
+        float distance = Vector3.Dot(ball.Vector("center") - new Vector3(5, -0.5f, 0), new(-0.6f, 0.8f, 0));
+        Assert.Equal(ball.Number("radius"), distance, 2e-3f * ball.Number("radius"));
+    }
+
+    [Theory]
+    [InlineData(20, 17)]
+    [InlineData(16, 16)]
+    public async Task Beside_a_ball_a_torus_stands_on_the_floor_and_does_not_cut_into_it(float x, float y)
+    {
+        using TestSession test = new();
+        ViewportScene shown = await test.Open(WithBall);
+        Vector3 seen = Picking.At(shown, x, y).Position!.Value;
+        (_, string pointer) = test.Session.Edits.Add("shape", "torus", at: new(x, y));
+        SceneValue torus = SceneValue.At(test.Session.Document.Read.Root!, pointer)!;
+        (Vector3 center, float radius, float tube) = (torus.Vector("center"), torus.Number("radius"), torus.Number("tubeRadius"));
+        Assert.Equal(-0.5f + tube, center.Y, 2e-3f);
+        Assert.True(Ring(seen with { Y = center.Y }) < 1, "There would be nothing to avoid at the pixel.");
+        Assert.True(Ring(center) > 1 - (0.02f * radius), $"The torus at {center} cuts into the ball.");
+        Assert.True((center - seen).Length() < 3 * radius, $"The torus at {center} is far from {seen}.");
+
+        // The distance between the ball's middle and the surface of a torus that stands at a point.
+        float Ring(Vector3 at)
+        {
+            Vector3 way = new Vector3(0, 0.5f, 0) - at;
+            float across = new Vector2(way.X, way.Z).Length() - radius;
+            return new Vector2(across, way.Y).Length() - tube;
+        }
+    }
+
+    [Fact]
+    public async Task What_is_added_before_the_picture_shows_the_last_thing_stands_beside_that()
+    {
+        using TestSession test = new();
+        await test.Open(Room);
+        SceneValue[] balls = [.. Enumerable.Range(0, 3).Select(_ => test.Session.Edits.Add("shape", "sphere").Pointer).ToArray()
+            .Select(p => SceneValue.At(test.Session.Document.Read.Root!, p)!)];
+        foreach ((SceneValue a, SceneValue b) in balls.SelectMany((a, i) => balls.Skip(i + 1).Select(b => (a, b))))
+        {
+            float apart = (a.Vector("center") - b.Vector("center")).Length();
+            Assert.True(apart > 0.97f * (a.Number("radius") + b.Number("radius")), test.Session.Document.Text);
+        }
+    }
+
+    [Fact]
+    public async Task Where_there_is_no_room_on_what_is_seen_a_thing_stands_on_the_ground_beside()
+    {
+        using TestSession test = new();
+        ViewportScene shown = await test.Open(Room.Replace("\"shapes\": [", """
+            "shapes": [
+              { "type": "sphere", "center": [0, -0.1, 0], "radius": 0.4 },
+              { "type": "sphere", "center": [-1.6, 0.7, 0], "radius": 1.2 },
+              { "type": "sphere", "center": [1.6, 0.7, 0], "radius": 1.2 },
+            """, StringComparison.Ordinal));
+        Assert.Equal("/shapes/0", Picking.At(shown, 19, 13).Pointer);
+        string pointer = test.Session.Edits.Add("shape", "sphere", at: new(19, 13)).Pointer;
+        SceneValue ball = SceneValue.At(test.Session.Document.Read.Root!, pointer)!;
+        Assert.Equal(-0.5f + ball.Number("radius"), ball.Vector("center").Y, 2e-3f);
+        foreach ((Vector3 center, float radius) in new[] { (new Vector3(0, -0.1f, 0), 0.4f), (new(-1.6f, 0.7f, 0), 1.2f), (new(1.6f, 0.7f, 0), 1.2f) })
+        {
+            Assert.True((ball.Vector("center") - center).Length() > radius + (0.97f * ball.Number("radius")), test.Session.Document.Text);
+        }
+    }
+
+    [Fact]
+    public async Task Where_there_is_no_room_it_stands_where_one_clicks()
+    {
+        using TestSession test = new();
+        ViewportScene shown = await test.Open("""
+            {
+              "camera": { "position": [0, 0.2, 8], "lookAt": [0, -0.5, 0], "fieldOfView": 60 },
+              "render": { "width": 40, "height": 30, "samplesPerPixel": 1 },
+              "background": [1, 1, 1],
+              "shapes": [ { "type": "plane", "point": [0, -0.5, 0], "normal": [0, 1, 0] }, { "type": "plane", "point": [0, 0.45, 0], "normal": [0, -1, 0] } ]
+            }
+            """);
+        Vector3 seen = Picking.At(shown, 20, 15).Position!.Value;
+        Assert.Equal(-0.5f, seen.Y, 1e-4f);
+        (_, string pointer) = test.Session.Edits.Add("shape", "sphere", at: new(20, 15));
+        SceneValue ball = SceneValue.At(test.Session.Document.Read.Root!, pointer)!;
+        Vector3 away = ball.Vector("center") - seen;
+        Assert.True(new Vector2(away.X, away.Z).Length() < 0.03f, $"The ball of radius {ball.Number("radius")} at {ball.Vector("center")} is not at {seen}.");
     }
 
     [Fact]

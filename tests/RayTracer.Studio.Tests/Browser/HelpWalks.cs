@@ -80,7 +80,7 @@ public class HelpWalks(ChromiumBrowser browser)
         ILocator lamp = lesson.GetByRole(AriaRole.Link, new() { NameRegex = new("0\\.02") }).First;
         await lamp.ClickAsync();
         await w.Text("both values are set", text => text.Contains("\"radius\": 0.02", StringComparison.Ordinal) && text.Contains("\"multiplier\": 15925", StringComparison.Ordinal));
-        await w.Painted();
+        await Expect(w.Status).ToContainTextAsync("done");
         await w.Shot("lesson", isShown: true);
         await w.Button("Undo").ClickAsync();
         await w.Text("neither is", text => !text.Contains("0.02,", StringComparison.Ordinal) && !text.Contains("15925", StringComparison.Ordinal));

@@ -27,6 +27,18 @@ public class InsideWalks(ChromiumBrowser browser)
         await w.Button("Properties pane").ClickAsync();
         await Expect(table.GetByRole(AriaRole.Columnheader).Last).ToBeInViewportAsync();
         await w.Shot("paths", isShown: true);
+
+        // Neither the path nor its pixel is another picture's.
+        await Expect(w.Page.Locator(".path-overlay")).ToHaveCountAsync(1);
+        await w.Tab("Source");
+        await Expect(w.Page.Locator(".path-overlay")).ToHaveCountAsync(0);
+        await w.Tab("Light paths");
+        await Expect(w.Page.Locator(".path-overlay")).ToHaveCountAsync(1);
+        await w.Button("Properties pane").ClickAsync();
+        w.Session.Files.Open(ProjectFolder.PathOf("scenes", "primer", "01-sphere.json"));
+        await Expect(w.Page.GetByRole(AriaRole.Heading, new() { Level = 1, Name = "01-sphere.json" })).ToBeVisibleAsync();
+        await Expect(w.Page.Locator(".path-overlay")).ToHaveCountAsync(0);
+        await StudioWindow.Until("the address names no pixel", async () => await w.Page.EvaluateAsync<string>("location.hash") == "");
     }
 
     [SkippableFact]

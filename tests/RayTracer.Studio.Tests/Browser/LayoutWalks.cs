@@ -36,6 +36,7 @@ public class LayoutWalks(ChromiumBrowser browser)
             Assert.True(rows == 1, $"The toolbar \"{bar}\" has {rows} rows.");
         }
 
+        await Opened(w);
         LocatorBoundingBoxResult picture = (await w.Canvas.BoundingBoxAsync())!;
         Assert.True(width > 1000 || picture.Width >= 480, $"The picture is {picture.Width} pixels wide.");
         if (!await w.Page.GetByRole(AriaRole.Tab, new() { Name = "Render", Exact = true }).IsVisibleAsync())
@@ -49,6 +50,24 @@ public class LayoutWalks(ChromiumBrowser browser)
         string[] cut = await w.Page.EvaluateAsync<string[]>(
             "() => [...document.querySelectorAll('[role=radio], [role=tab], .button')].filter(e => e.getClientRects().length && e.scrollWidth > e.clientWidth + 1).map(e => e.textContent)");
         Assert.Empty(cut);
+    }
+
+    // Menus and what else opens stand in the window, and hold what is in them.
+    private static async Task Opened(StudioWindow w)
+    {
+        foreach (string menu in new[] { "File", "Add", "More commands", "Help" })
+        {
+            await w.Page.GetByRole(AriaRole.Toolbar, new() { Name = "Main toolbar" }).GetByRole(AriaRole.Button, new() { Name = menu, Exact = true }).ClickAsync();
+            await Expect(w.Page.GetByRole(AriaRole.Menu, new() { Name = menu, Exact = true })).ToBeInViewportAsync(new() { Ratio = 1 });
+            await w.Page.Keyboard.PressAsync("Escape");
+        }
+
+        await w.Button("Display").ClickAsync();
+        ILocator display = w.Page.GetByRole(AriaRole.Group, new() { Name = "Display", Exact = true });
+        await Expect(display).ToBeInViewportAsync(new() { Ratio = 1 });
+        Assert.Empty(await display.EvaluateAsync<string[]>(
+            "d => [...d.querySelectorAll('.number, select, input')].filter(e => e.getBoundingClientRect().right > d.getBoundingClientRect().right).map(e => e.outerHTML)"));
+        await w.Page.Keyboard.PressAsync("Escape");
     }
 
     [SkippableFact]

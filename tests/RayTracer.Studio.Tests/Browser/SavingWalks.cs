@@ -24,6 +24,7 @@ public class SavingWalks(ChromiumBrowser browser)
         ILocator dialog = w.Page.GetByRole(AriaRole.Dialog);
         await Expect(dialog).ToBeVisibleAsync();
         await w.Shot("save-as");
+        await Expect(dialog.GetByRole(AriaRole.Textbox, new() { Name = "File name" })).ToBeFocusedAsync();
         ILocator path = dialog.GetByRole(AriaRole.Textbox, new() { Name = "Path" });
         await path.FillAsync(w.Folder);
         await path.PressAsync("Enter");

@@ -16,17 +16,26 @@ public class SceneWalks(ChromiumBrowser browser)
         await Expect(w.Page.GetByRole(AriaRole.Heading, new() { Name = "Render a scene" })).ToBeVisibleAsync();
         await StudioWindow.Until("thumbnails of all that is seen are made", () => w.Page.EvaluateAsync<bool>(
             """
-            const seen = [...document.querySelectorAll("main .thumbnail")].filter(t => t.getBoundingClientRect().top < innerHeight);
+            const seen = [...document.querySelectorAll("main .thumbnail")].filter(t => t.getBoundingClientRect().top < document.querySelector("footer").getBoundingClientRect().top);
             seen.length > 6 && seen.every(t => t.querySelector("img")?.complete)
             """));
         await w.Shot("start", isShown: true);
+        Assert.Empty(await w.Page.EvaluateAsync<string[]>(
+            "() => [...document.querySelectorAll('.gallery button > span:last-child')].filter(e => e.scrollWidth > e.clientWidth + 1).map(e => e.textContent)"));
 
         // As soon as there is something to see.
-        await w.Page.GetByRole(AriaRole.Button, new() { NameRegex = new("Open Scene1") }).First.ClickAsync();
+        await w.Page.GetByRole(AriaRole.Button, new() { NameRegex = new("Open Scene 1") }).First.ClickAsync();
         for (int step = 1; step < 5; step++)
         {
             await Expect(w.Page.GetByText($"Step {step} of 5")).ToBeVisibleAsync();
             await w.Shot($"tour-{step}");
+            Assert.Equal(0, await w.Page.EvaluateAsync<int>(
+                """
+                () => {
+                  const [card, frame] = [".tour", ".tour-frame"].map(s => document.querySelector(s).getBoundingClientRect());
+                  return Math.max(0, Math.min(card.right, frame.right) - Math.max(card.left, frame.left)) * Math.max(0, Math.min(card.bottom, frame.bottom) - Math.max(card.top, frame.top));
+                }
+                """));
             await w.Button("Next").ClickAsync();
         }
 

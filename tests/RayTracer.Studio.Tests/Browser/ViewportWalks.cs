@@ -186,6 +186,7 @@ public class ViewportWalks(ChromiumBrowser browser)
         await w.Page.Keyboard.PressAsync("k");
         await StudioWindow.Until("two are kept", () => Task.FromResult(w.Session.Snapshots.All.Count == 2));
         Snapshot[] kept = [.. w.Session.Snapshots.All];
+        await Expect(pane).ToContainTextAsync("choose one on the right");
 
         await pane.GetByRole(AriaRole.Combobox, new() { Name = "Left" }).SelectOptionAsync($"{kept[0].Id}");
         await pane.GetByRole(AriaRole.Combobox, new() { Name = "Right" }).SelectOptionAsync($"{kept[^1].Id}");

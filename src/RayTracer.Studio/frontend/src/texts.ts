@@ -35,7 +35,8 @@ function textsOf(t: typeof english) {
     },
     timeline: {
       ...t.timeline,
-      of: (frames: number, seconds: string, rate: number) => fill(t.timeline.of, { frames, seconds, rate }),
+      of: (frames: number, seconds: string) => fill(t.timeline.of, { frames, seconds }),
+      ofWhy: (rate: number) => fill(t.timeline.ofWhy, { rate }),
       keyAt: (name: string, frame: string) => fill(t.timeline.keyAt, { name, frame }),
       keysOf: (name: string) => fill(t.timeline.keysOf, { name }),
       select: (name: string) => fill(t.timeline.select, { name }),

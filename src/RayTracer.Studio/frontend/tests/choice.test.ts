@@ -46,3 +46,14 @@ test("nothing waits for a server that is gone", async () => {
   store.connection.value = "lost";
   await vi.waitFor(() => expect(done).toEqual([["/shapes/2"]]));
 });
+
+test("the pixel that is looked at belongs to its scene", () => {
+  const open = (document: number, revision: number) => ({ ...state(20 + revision, []), document: { document, revision } }) as unknown as StudioState;
+  store.studio.value = null;
+  store.take(open(1, 1));
+  store.inspectedPixel.value = { x: 3, y: 4 };
+  store.take(open(1, 2));
+  expect(store.inspectedPixel.value).toEqual({ x: 3, y: 4 });
+  store.take(open(2, 3));
+  expect(store.inspectedPixel.value).toBeNull();
+});

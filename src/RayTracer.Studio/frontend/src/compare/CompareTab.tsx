@@ -22,9 +22,10 @@ const keptChoices = () => (snapshots.value ?? []).map((s) => ({ value: String(s.
 const compare = (change: Partial<Comparison>) => (comparison.value = { ...compared.value, ...change });
 
 function Kept({ id, name, samples, time }: Snapshot) {
+  const source = usePicture("view/snapshot", { id });
   return (
     <li>
-      <img src={usePicture("view/snapshot", { id })} alt="" />
+      <span class="kept">{source && <img src={source} alt="" />}</span>
       <TextField label={t.name} value={name} onCommit={(to) => rename(id, to)} />
       <span class="quiet">{t.about(samples, time)}</span>
       <Button label={t.forget(name)} icon="trash" onClick={() => rename(id, null)} />
@@ -39,7 +40,7 @@ function Numbers({ left, right, shown }: { left: number; right: number; shown: s
     setFound(null);
     get<PictureComparison>("view/compare", { image: left, reference: right }).then(setFound, complain);
   }, [left, right]);
-  if (!found) return null;
+  if (!found) return <p class="quiet" role="status">{t.comparing}</p>;
   return (
     <div role="status">
       <p class="figures">RMSE {format(found.rmse, 4)}, FLIP {format(found.flip, 4)}</p>
@@ -66,7 +67,7 @@ function CompareTab() {
         {kept.length === 0 && <p class="quiet">{t.none}</p>}
         {kept.length > 0 && select(t.left, left, texts.viewport.noCompare, (id) => compare({ left: id }))}
         {left !== null && select(t.right, right, t.now, (id) => compare({ right: id }))}
-        {left !== null && right === null && <p class="quiet">{t.two}</p>}
+        {left !== null && right === null && <p class="quiet">{kept.length > 1 ? t.choose : t.two}</p>}
         {left !== null && right !== null && (
           <>
             <Segments label={t.how} value={shown} choices={t.ways} onChange={(way) => compare({ shown: way as Comparison["shown"] })} />

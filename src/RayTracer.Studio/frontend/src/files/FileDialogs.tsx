@@ -77,7 +77,7 @@ export function SaveAsDialog({ title, fileName, onClose, onSave }: SaveAsProps) 
       <FileBrowser start={startFolder()} onFolder={setFolder} onPick={(path) => setName(nameOf(path))} onChoose={(path) => setName(nameOf(path))} picked="" />
       <label class="line">
         <span>{t.fileName}</span>
-        <input type="text" class="text" value={name} spellcheck={false} onInput={(e) => setName(e.currentTarget.value)} onKeyDown={(e) => e.key === "Enter" && save()} />
+        <input type="text" class="text" data-first value={name} spellcheck={false} onInput={(e) => setName(e.currentTarget.value)} onKeyDown={(e) => e.key === "Enter" && save()} />
       </label>
     </DialogBox>
   );

@@ -76,7 +76,7 @@ export function RenameDialog() {
     <DialogBox title={t.renameTitle} onClose={close} buttons={buttons}>
       <label class="line">
         <span>{t.newName}</span>
-        <input type="text" class="text" value={name} onInput={(e) => setName(e.currentTarget.value)} onKeyDown={(e) => e.key === "Enter" && done()} />
+        <input type="text" class="text" data-first value={name} onInput={(e) => setName(e.currentTarget.value)} onKeyDown={(e) => e.key === "Enter" && done()} />
       </label>
     </DialogBox>
   );

@@ -64,5 +64,6 @@ export function HelpArticle({ place, go }: { place: Place; go: (place: Place) =>
       openScene({ galleryId: target.galleryId });
     }
   };
-  return <article class="help-page" ref={article} tabIndex={0} aria-label={page?.title ?? t.loading} onClick={follow} dangerouslySetInnerHTML={{ __html: page?.html ?? "" }} />;
+  if (!page) return <p class="quiet pad" role="status">{t.loading} …</p>;
+  return <article class="help-page" ref={article} tabIndex={0} aria-label={page.title} onClick={follow} dangerouslySetInnerHTML={{ __html: page.html }} />;
 }

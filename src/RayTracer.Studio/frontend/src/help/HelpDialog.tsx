@@ -79,8 +79,8 @@ export function HelpDialog() {
       <div class="help">
         <nav aria-label={t.pages}>
           <div class="help-search">
-            <Button label={t.back} icon="undo" disabled={before.length === 0} onClick={back} />
-            <input type="search" class="text" aria-label={t.search} placeholder={t.search} value={words} onInput={(e) => find(e.currentTarget.value)} />
+            <Button label={t.back} icon="previous" disabled={before.length === 0} onClick={back} />
+            <input type="search" class="text" data-first aria-label={t.search} placeholder={t.search} value={words} onInput={(e) => find(e.currentTarget.value)} />
           </div>
           <div class="help-list" tabIndex={-1}>
             {findings && words.trim() ? <Findings findings={findings} go={go} /> : <PageList pages={index} place={place} go={go} />}

@@ -3,7 +3,7 @@ import { projectLine } from "../math/projection";
 import { inspectedPixel, tool } from "../state/store";
 import { placement, picture } from "../viewport/stage";
 import { pathPoints } from "./drawScene";
-import { chosenSample, drawsAll, litSamples, openVertex, paths, pointedVertex, wireframe } from "./paths";
+import { chosenSample, drawsAll, isFollowing, litSamples, openVertex, paths, pointedVertex, wireframe } from "./paths";
 
 const farAway = 1e4;
 
@@ -23,7 +23,7 @@ function Line({ sample, camera, isChosen }: { sample: InspectedPath; camera: Cam
 /** The paths of the inspected pixel, over the picture. */
 export function PathOverlay() {
   const [answer, camera] = [paths.value, wireframe.value?.camera];
-  if (!answer || !camera || !inspectedPixel.value || tool.value !== "inspect") return null;
+  if (!answer || !camera || !inspectedPixel.value || !isFollowing.value || tool.value !== "inspect") return null;
   const { scale, left, top } = placement.value;
   const { width, height } = picture.value;
   const lit = litSamples.value;

@@ -54,6 +54,9 @@ const walking = new Latest<{ x: number; y: number; sample: number; ray: number; 
 
 let shownPixel: object | null = null;
 
+/** Whether the paths follow the scene: else they are those of a picture that may be gone. */
+export const isFollowing = signal(false);
+
 /** Turns to a sample, on whatever page it is. */
 export function showSample(sample: number): void {
   shownPixel = inspectedPixel.peek();
@@ -63,8 +66,11 @@ export function showSample(sample: number): void {
 
 /** Asks for the paths of the inspected pixel whenever it, the page or the scene changes; ends with the function that it returns. */
 export const followPaths = () => {
+  if (inspectedPixel.peek() !== shownPixel) paths.value = null;
+  isFollowing.value = true;
   const stopPaths = effect(() => {
     const pixel = inspectedPixel.value;
+    if (!pixel) paths.value = null;
     if (pixel !== shownPixel) [shownPixel, firstSample.value, chosenSample.value, openVertex.value] = [pixel, 0, 0, -1];
     if (pixel && revision.value >= 0) asking.push({ ...pixel, first: firstSample.value });
   });
@@ -79,6 +85,7 @@ export const followPaths = () => {
     else walk.value = null;
   });
   return () => {
+    isFollowing.value = false;
     stopPaths();
     stopSummary();
     stopWalk();

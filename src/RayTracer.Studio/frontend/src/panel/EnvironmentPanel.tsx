@@ -29,7 +29,7 @@ export function EnvironmentPanel() {
         <div class="row-field"><Select id="environment" label={texts.families.environment!} value={type?.name ?? ""} choices={choices} onChange={choose} /></div>
         <span class="no-reset" />
       </div>
-      {type && <p class="summary">{type.summary}</p>}
+      {type && <p class="summary" data-tip={type.summary}>{type.summary}</p>}
       {type && <RecordEditor type={type} pointer={pointer} value={value} />}
     </section>
   );

@@ -47,7 +47,7 @@ export function ThingPanel({ pointer, without = ["name"] }: { pointer: string; w
           <span class="no-reset" />
         </div>
       ) : null}
-      {type.summary && <p class="summary">{type.summary}</p>}
+      {type.summary && <p class="summary" data-tip={type.summary}>{type.summary}</p>}
       <RecordEditor type={type} pointer={pointer} value={answer.value} without={without} />
     </section>
   );

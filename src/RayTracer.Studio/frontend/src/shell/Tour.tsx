@@ -3,10 +3,11 @@ import { bottomOpen, leftOpen, narrowWindow, rightOpen, tourSeen } from "../stat
 import { tourStep } from "../state/store";
 import { texts } from "../texts";
 import { Button } from "../ui/Button";
+import { besideFrame } from "./beside";
 
 /** What each step points at, and the pane that must be open for it. */
 const targets: { selector: string; open?: { value: boolean } }[] = [
-  { selector: ".centre" },
+  { selector: ".stage" },
   { selector: ".left", open: leftOpen },
   { selector: ".right", open: rightOpen },
   { selector: ".bottom", open: bottomOpen },
@@ -42,12 +43,9 @@ export function Tour() {
   const t = texts.tour;
   const [title, text] = t.steps[step]!;
   const isLast = step === t.steps.length - 1;
-  const [width, height] = [320, 190];
-  const clampTo = (value: number, limit: number) => Math.max(12, Math.min(value, limit - 12));
-  const style = {
-    left: `${clampTo(frame.left + frame.width / 2 - width / 2, innerWidth - width)}px`,
-    top: `${clampTo(frame.top + frame.height / 2 - height / 2, innerHeight - height)}px`,
-  };
+  const [width, height] = [320, 200];
+  const { left, top } = besideFrame(frame, { width, height }, { width: innerWidth, height: innerHeight });
+  const style = { left: `${left}px`, top: `${top}px` };
   return (
     <>
       <div class="tour-frame" aria-hidden="true" style={{ left: `${frame.left}px`, top: `${frame.top}px`, width: `${frame.width}px`, height: `${frame.height}px` }} />

@@ -5,7 +5,7 @@ import { get, Refusal } from "../api/client";
 import { Latest } from "../api/latest";
 import type { Outline, TypeCatalogue, StudioState } from "../api/types";
 import { complain, say } from "./messages";
-import { connection, documentState, outline, revision, schema, studio } from "./store";
+import { connection, documentState, outline, revision, schema, studio, take } from "./store";
 
 const pause = (milliseconds: number) => new Promise((resolve) => setTimeout(resolve, milliseconds));
 const retryAfter = 1000;
@@ -26,7 +26,7 @@ async function followState(): Promise<never> {
       connection.value = "open";
       const message = state.message;
       if (message && message.id !== studio.value?.message?.id) say(message.kind as "info" | "error", message.text);
-      studio.value = state;
+      take(state);
       await pause(Math.max(0, shortestPause - (performance.now() - start)));
     } catch (error) {
       const isRefused = error instanceof Refusal && (error.status === 401 || error.status === 403);

@@ -1,6 +1,6 @@
 /** What all parts of the window look at. The server's state is taken as it comes; only what no server needs to know is kept here. */
 
-import { computed, effect, signal } from "@preact/signals";
+import { batch, computed, effect, signal } from "@preact/signals";
 import type { Unsent } from "../editor/unsent";
 import type { ComparisonMap, Outline, TypeCatalogue, StudioState } from "../api/types";
 
@@ -69,8 +69,15 @@ export const isFresh = computed(() => {
 export type Tool = "select" | "move" | "rotate" | "scale" | "focus" | "inspect" | "region";
 export const tool = signal<Tool>("select");
 
-/** The pixel whose paths are looked at. */
+/** The pixel whose paths are looked at, of the scene that is open. */
 export const inspectedPixel = signal<{ x: number; y: number } | null>(null);
+
+/** Takes the server's state. Another scene has nothing where the last one's pixel was: nobody asks for that in between. */
+export const take = (state: StudioState) =>
+  batch(() => {
+    if (studio.peek() && studio.peek()!.document.document !== state.document.document) inspectedPixel.value = null;
+    studio.value = state;
+  });
 
 /** Two kept pictures that are compared, and how; `right` is null for the picture that is rendered. */
 export interface Comparison {

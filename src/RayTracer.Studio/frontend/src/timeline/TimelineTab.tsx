@@ -21,7 +21,7 @@ const record = (isOn: boolean) => attempt(() => post("timeline/record", { isOn }
 function Bar() {
   const now = time.value;
   if (!now) return null;
-  const length = now.frame === null ? t.written : t.of(now.frames, (now.frames / now.framesPerSecond).toFixed(2), now.framesPerSecond);
+  const length = now.frames === 0 ? "" : now.frame === null ? t.written : t.of(now.frames, (now.frames / now.framesPerSecond).toFixed(2));
   const isAny = choice.value.length > 0;
   const chosenEases = new Set(choice.value.flatMap((c) => c.numbers.map((i) => rows.value.find((r) => r.keys === c.keys)!.items[i]!.ease)));
   const eases = Object.entries(t.eases).map(([value, label]) => ({ value, label }));
@@ -35,7 +35,7 @@ function Bar() {
         <span>{t.frame}</span>
         <NumberField label={t.frame} value={now.frame ?? 0} bounds={{ minimum: 0, maximum: null, isInteger: true }} onChange={showFrame} />
       </label>
-      <span class="quiet" data-tip={length}>{length}</span>
+      <span class="quiet" data-tip={t.ofWhy(now.framesPerSecond)}>{length}</span>
       {/* There without chosen keys, too: a bar that gets another line moves the keys away from under the pointer. */}
       <Select label={t.ease} tip={t.easeWhy} value={chosenEases.size === 1 ? [...chosenEases][0]! : ""} choices={chosenEases.size === 1 ? eases : [{ value: "", label: "…" }, ...eases]} disabled={!isAny} onChange={(e) => e && easeKeys(e)} />
       <Button label={t.copy} icon="copy" disabled={!isAny} onClick={copyToPlayhead} />

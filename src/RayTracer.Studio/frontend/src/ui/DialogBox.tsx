@@ -15,7 +15,7 @@ interface DialogBoxProps {
   help?: string;
 }
 
-/** A modal dialog; Escape and the close button end it. */
+/** A modal dialog; Escape and the close button end it. The keyboard is in the field with `data-first`, where there is one. */
 export function DialogBox({ title, onClose, children, buttons, wide, full, help }: DialogBoxProps) {
   const ref = useRef<HTMLDialogElement>(null);
   // A layout effect, so that no key goes past the dialog, and the focus is back before the next one.
@@ -23,6 +23,9 @@ export function DialogBox({ title, onClose, children, buttons, wide, full, help 
     const box = ref.current!;
     const before = document.activeElement as HTMLElement | null;
     box.showModal();
+    const first = box.querySelector<HTMLInputElement>("[data-first]");
+    first?.focus();
+    first?.select();
     return () => {
       box.close();
       before?.focus?.();
