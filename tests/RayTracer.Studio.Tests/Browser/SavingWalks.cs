@@ -45,6 +45,35 @@ public class SavingWalks(ChromiumBrowser browser)
             (await w.Page.EvaluateAsync<string>("() => navigator.clipboard.readText()")).StartsWith("raytracer render ", StringComparison.Ordinal));
     }
 
+    [SkippableFact]
+    public async Task A_scene_without_a_file_is_saved_first_and_then_the_other_one_opens_in_sight()
+    {
+        await using StudioWindow w = await StudioWindow.Open(browser, more: new() { ViewportSize = new() { Width = 900, Height = 700 } });
+        w.Session.Files.OpenGallery("primer/01-sphere.json");
+        await w.Painted();
+        await w.Drag(0.5, 0.5, 0.6, 0.5);
+        await w.Page.Keyboard.PressAsync("Shift+Home");
+        await StudioWindow.Until("there are changes", () => Task.FromResult(w.Session.Document.IsDirty));
+        string text = w.Session.Document.Text;
+        ILocator pane = w.Button("Scene and files pane");
+        await pane.ClickAsync();
+        await w.Tab("Gallery");
+        await w.Page.GetByRole(AriaRole.Button, new() { NameRegex = new("Open .*glass") }).First.ClickAsync();
+        ILocator dialog = w.Page.GetByRole(AriaRole.Dialog);
+        await dialog.GetByRole(AriaRole.Button, new() { Name = "Save", Exact = true }).ClickAsync();
+        ILocator path = dialog.GetByRole(AriaRole.Textbox, new() { Name = "Path" });
+        await path.FillAsync(w.Folder);
+        await path.PressAsync("Enter");
+        await dialog.GetByRole(AriaRole.Textbox, new() { Name = "File name" }).FillAsync("kept.json");
+        await dialog.GetByRole(AriaRole.Button, new() { Name = "Save", Exact = true }).ClickAsync();
+        await StudioWindow.Until("the other scene is open", () => Task.FromResult(w.Session.Document.Status.Name.Contains("glass", StringComparison.Ordinal)));
+
+        // The schema's address is another one there.
+        static IEnumerable<string> Lines(string text) => text.Split('\n').Where(l => !l.Contains("$schema", StringComparison.Ordinal));
+        Assert.Equal(Lines(text), Lines(await File.ReadAllTextAsync(Path.Combine(w.Folder, "kept.json"))));
+        await Expect(pane).ToHaveAttributeAsync("aria-pressed", "false");
+    }
+
     [ThoroughFact]
     [Trait("Category", "Thorough")]
     public async Task A_bundle_holds_the_scene_and_its_pictures()

@@ -4,7 +4,7 @@ import { texts } from "../texts";
 import { Button } from "../ui/Button";
 import { DialogBox } from "../ui/DialogBox";
 import { fileWanted } from "./choose";
-import { openScene, sceneName, saveSceneAs } from "./commands";
+import { afterSaving, openScene, sceneName, saveSceneAs } from "./commands";
 import { FileBrowser } from "./FileBrowser";
 import { extensionOf, folderOf, joinPath, nameOf, withExtension } from "./paths";
 
@@ -83,6 +83,11 @@ export function SaveAsDialog({ title, fileName, onClose, onSave }: SaveAsProps) 
   );
 }
 
-export const SaveSceneDialog = () => (
-  <SaveAsDialog title={t.saveTitle} fileName={nameOf(withExtension(sceneName(), "json"))} onClose={() => (dialog.value = null)} onSave={saveSceneAs} />
-);
+export function SaveSceneDialog() {
+  const then = afterSaving.value;
+  const close = () => {
+    dialog.value = null;
+    afterSaving.value = null;
+  };
+  return <SaveAsDialog title={t.saveTitle} fileName={nameOf(withExtension(sceneName(), "json"))} onClose={close} onSave={(path) => saveSceneAs(path, then)} />;
+}

@@ -5,10 +5,9 @@ import { attempt } from "../state/messages";
 import { dialog, documentState, outline, selection } from "../state/store";
 import { findNode } from "../outliner/find";
 import { texts } from "../texts";
-import { post } from "../api/client";
 import { Button } from "../ui/Button";
 import { DialogBox } from "../ui/DialogBox";
-import { overwriteQuestion, unsavedQuestion } from "./commands";
+import { overwriteQuestion, saveScene, unsavedQuestion } from "./commands";
 
 const t = texts.dialogs;
 
@@ -17,14 +16,9 @@ export function UnsavedQuestion() {
   const question = unsavedQuestion.value;
   if (!question) return null;
   const close = () => (unsavedQuestion.value = null);
-  const hasPath = documentState.value?.path;
   const save = () => {
     close();
-    if (!hasPath) dialog.value = "saveAs";
-    else attempt(async () => {
-      await post("file/save", {});
-      await question.go();
-    });
+    saveScene(question.go);
   };
   const buttons = (
     <>

@@ -4,12 +4,16 @@ import { signal } from "@preact/signals";
 import { getBlob, get, post, Refusal, token, upload } from "../api/client";
 import { attempt, say } from "../state/messages";
 import { dialog, documentState, opening, isOwnView } from "../state/store";
+import { leftOpen, narrowWindow } from "../state/settings";
 import { flushEditor } from "../editor/flush";
 import { texts } from "../texts";
 import { nameOf, withExtension } from "./paths";
 
 /** A step that needs an answer about unsaved changes first. */
 export const unsavedQuestion = signal<{ go: () => Promise<void> } | null>(null);
+
+/** What follows once a scene that has no file yet has one: "save as" is open for it. */
+export const afterSaving = signal<(() => Promise<void>) | null>(null);
 
 /** A file that would be replaced. */
 export const overwriteQuestion = signal<{ path: string; why: string; go: () => Promise<void> } | null>(null);
@@ -44,7 +48,13 @@ async function showing(name: string, work: () => Promise<unknown>): Promise<void
 const namedBy = (source: Source) => nameOf(("path" in source && source.path) || ("galleryId" in source && source.galleryId) || texts.untitled);
 
 export const openScene = (source: Source) =>
-  attempt(() => leaving((discard) => showing(namedBy(source), () => post("file/open", { ...source, discard }))));
+  attempt(() =>
+    leaving(async (discard) => {
+      await showing(namedBy(source), () => post("file/open", { ...source, discard }));
+      // There, the pane would hide what was opened.
+      if (narrowWindow.matches) leftOpen.value = false;
+    }),
+  );
 export const newScene = () => attempt(() => leaving((discard) => post("file/new", { discard })));
 export const discardRecovery = (id: string) => attempt(() => post("recovery/discard", { id }));
 
@@ -61,18 +71,29 @@ async function writing(path: string, write: (overwrite: boolean) => Promise<unkn
   }
 }
 
-export const saveScene = () =>
+/** Saves the scene where it lies, and goes on with what waits for that. */
+export const saveScene = (then?: () => Promise<void>) =>
   attempt(async () => {
     await flushEditor();
     const path = documentState.value?.path;
-    if (path) await writing(path, (overwrite) => post("file/save", { overwrite }));
-    else dialog.value = "saveAs";
+    if (path) {
+      await writing(path, async (overwrite) => {
+        await post("file/save", { overwrite });
+        await then?.();
+      });
+      return;
+    }
+    afterSaving.value = then ?? null;
+    dialog.value = "saveAs";
   });
 
-export const saveSceneAs = (path: string) =>
+export const saveSceneAs = (path: string, then: (() => Promise<void>) | null) =>
   attempt(async () => {
     await flushEditor();
-    await writing(path, (overwrite) => post("file/save", { path, overwrite }));
+    await writing(path, async (overwrite) => {
+      await post("file/save", { path, overwrite });
+      await then?.();
+    });
   });
 
 export interface PictureOptions {

@@ -63,7 +63,7 @@ const actions: Record<CommandId, Pick<Command, "run" | "enabled">> = {
   new: { run: newScene },
   open: { run: () => (dialog.value = "open") },
   gallery: { run: () => ((leftOpen.value = true), (leftTab.value = "gallery")) },
-  save: { run: saveScene },
+  save: { run: () => saveScene() },
   saveAs: { run: () => (dialog.value = "saveAs") },
   export: { run: () => (dialog.value = "export") },
   copyImage: { run: copyImage },
