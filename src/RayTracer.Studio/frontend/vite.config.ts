@@ -24,5 +24,6 @@ export default defineConfig({
   // The texts and commands that all faces of the session share.
   server: { fs: { allow: [".", "../../RayTracer.Session/Texts"] } },
   worker: { format: "es", rollupOptions: { output: names } },
-  test: { include: ["tests/**/*.test.ts"], environment: "node" },
+  // Where a build has the processor meanwhile, a module alone can take ten seconds to load.
+  test: { include: ["tests/**/*.test.ts"], environment: "node", testTimeout: 60_000, hookTimeout: 60_000 },
 });
