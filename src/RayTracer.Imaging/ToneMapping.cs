@@ -17,6 +17,7 @@ public static class ToneMapping
     /// <param name="map">The curve.</param>
     /// <param name="colour">Linear light, any value.</param>
     /// <returns>Linear light of the display. It may lie slightly outside [0, 1], which the encoding cuts off.</returns>
+    /// <remarks>The usual maps are inlined: a call a pixel is half of the time that a moving view's picture takes to be shown.</remarks>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static Rgb Apply(ToneMap map, Rgb colour) =>
         map == ToneMap.Clamp ? colour : map == ToneMap.Soft ? Soft(Bounded(colour)) : ApplyOther(map, colour);

@@ -20,6 +20,10 @@ public class AutoExposureTests
     public void A_dark_and_a_bright_pixel_are_halfway_between_in_stops() => Assert.Equal(-1, Exposure.Auto.StopsFor(Even(0.125f, 2)));
 
     [Fact]
+    public void The_mean_of_the_faintest_and_the_strongest_light_is_that_of_their_logarithms() =>
+        Assert.Equal(1.32f, Exposure.Auto.StopsFor(Even([.. Enumerable.Repeat(1e-40f, 5000), .. Enumerable.Repeat(1e38f, 5000)])));
+
+    [Fact]
     public void A_black_picture_stays_as_it_is() => Assert.Equal(0, Exposure.Auto.StopsFor(Even(0, 0, 0)));
 
     // A pixel in four may be as bright as it likes.

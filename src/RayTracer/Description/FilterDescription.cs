@@ -29,7 +29,7 @@ public sealed record FilterDescription
 
     /// <summary>The radius at which the curve ends; zero for the usual one.</summary>
     [Parameter("The distance from the pixel's middle at which the curve ends. 0 means the usual one: 0.5 for box, 1 for tent, 1.5 for "
-        + "gaussian and blackmanHarris, 2 for mitchell.", Unit = "pixels", Minimum = 0, Maximum = 16)]
+        + "gaussian and blackmanHarris, 2 for mitchell. Of one below 1/64 all samples are taken in the middle.", Unit = "pixels", Minimum = 0, Maximum = 16)]
     public float Radius { get; init; }
 
     /// <summary>Standard deviation of the bell; zero for a third of the radius.</summary>

@@ -87,7 +87,7 @@ export function SaveSceneDialog() {
   const then = afterSaving.value;
   const close = () => {
     dialog.value = null;
-    afterSaving.value = null;
+    afterSaving.value = undefined;
   };
   return <SaveAsDialog title={t.saveTitle} fileName={nameOf(withExtension(sceneName(), "json"))} onClose={close} onSave={(path) => saveSceneAs(path, then)} />;
 }

@@ -13,7 +13,7 @@ import { nameOf, withExtension } from "./paths";
 export const unsavedQuestion = signal<{ go: () => Promise<void> } | null>(null);
 
 /** What follows once a scene that has no file yet has one: "save as" is open for it. */
-export const afterSaving = signal<(() => Promise<void>) | null>(null);
+export const afterSaving = signal<(() => Promise<void>) | undefined>(undefined);
 
 /** A file that would be replaced. */
 export const overwriteQuestion = signal<{ path: string; why: string; go: () => Promise<void> } | null>(null);
@@ -61,14 +61,20 @@ export const discardRecovery = (id: string) => attempt(() => post("recovery/disc
 export const openDropped = (file: File) =>
   attempt(() => leaving((discard) => showing(file.name, () => upload("file/upload", { name: file.name, discard: discard ? "true" : undefined }, file))));
 
-/** Writes something to a path; asks before a file is replaced. */
-async function writing(path: string, write: (overwrite: boolean) => Promise<unknown>): Promise<void> {
+/** Writes something to a path, and goes on with what waits for that; asks before a file is replaced. */
+async function writing(path: string, write: (overwrite: boolean) => Promise<unknown>, then?: () => Promise<void>): Promise<void> {
   try {
     await write(false);
   } catch (error) {
     if (!(error instanceof Refusal && (error.body.exists === true || error.body.changedOnDisk === true))) throw error;
-    overwriteQuestion.value = { path, why: error.message, go: async () => void (await write(true)) };
+    const go = async () => {
+      await write(true);
+      await then?.();
+    };
+    overwriteQuestion.value = { path, why: error.message, go };
+    return;
   }
+  await then?.();
 }
 
 /** Saves the scene where it lies, and goes on with what waits for that. */
@@ -77,23 +83,17 @@ export const saveScene = (then?: () => Promise<void>) =>
     await flushEditor();
     const path = documentState.value?.path;
     if (path) {
-      await writing(path, async (overwrite) => {
-        await post("file/save", { overwrite });
-        await then?.();
-      });
+      await writing(path, (overwrite) => post("file/save", { overwrite }), then);
       return;
     }
-    afterSaving.value = then ?? null;
+    afterSaving.value = then;
     dialog.value = "saveAs";
   });
 
-export const saveSceneAs = (path: string, then: (() => Promise<void>) | null) =>
+export const saveSceneAs = (path: string, then?: () => Promise<void>) =>
   attempt(async () => {
     await flushEditor();
-    await writing(path, async (overwrite) => {
-      await post("file/save", { path, overwrite });
-      await then?.();
-    });
+    await writing(path, (overwrite) => post("file/save", { path, overwrite }), then);
   });
 
 export interface PictureOptions {
