@@ -8,6 +8,7 @@ namespace RayTracer.Session;
 /// Smooths light within things: means over neighbours, near and then further ones, whose weights stop at other things, normals, distances, and at differences that the noise does not explain
 /// (Schied et al. 2017, "Spatiotemporal Variance-Guided Filtering"). A register of neighbouring pixels at a time, rows on several threads.
 /// </summary>
+[SkipLocalsInit]
 internal static unsafe class EdgeFilter
 {
     // How many standard deviations of its own noise a pixel's luminance may differ before it counts as something else.

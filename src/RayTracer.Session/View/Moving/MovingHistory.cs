@@ -9,6 +9,7 @@ namespace RayTracer.Session;
 /// Carries what earlier pictures have gathered over to the next one of a moving view: each point is looked up where it was seen before, and what shows
 /// another thing, another side or another place there is rejected. Where the light itself has changed, less of it counts.
 /// </summary>
+[SkipLocalsInit]
 internal sealed unsafe class MovingHistory
 {
     /// <summary>The height of the blocks in which old and new light are compared.</summary>
@@ -127,36 +128,51 @@ internal sealed unsafe class MovingHistory
         Taps corner = new(known.Select((top.ToInt() * (uint)_rows.Stride) + left.ToInt() + (uint)_rows.At(0, 0), (uint)_rows.At(0, 0)));
         (across, down) = (across - left, down - top);
         FloatW sum = 0f;
-        for (int i = 0; i < 4; i++)
+        for (int row = 0; row < 2; row++)
         {
-            FloatW weight = ((i & 1) == 0 ? 1f - across : across) * (i < 2 ? 1f - down : down);
-            Taps taps = corner.Next((uint)(((i >> 1) * _rows.Stride) + (i & 1)));
-            MaskW counts = known & (weight > 0f);
-            counts = counts.Any ? counts & before.Has(place, taps) : counts;
-            if (counts.Any)
+            FloatW weight = known.Select(row == 0 ? 1f - down : down, 0f);
+            Taps taps = corner.Next((uint)(row * _rows.Stride));
+            before.Has(place, taps, out MaskW atLeft, out MaskW atRight);
+            (FloatW leftWeight, FloatW rightWeight) = (atLeft.Select(weight * (1f - across), 0f), atRight.Select(weight * across, 0f));
+            FloatW both = leftWeight + rightWeight;
+            if ((both > 0f).Any)
             {
-                weight = counts.Select(weight, 0f);
-                old.Add(new(before._gathered, _rows, taps), weight);
-                sum += weight;
+                old.Add(before._gathered, _rows, taps, leftWeight, rightWeight);
+                sum += both;
             }
         }
 
         old.Scale((sum > LeastWeight).Select(1f / sum, 0f));
     }
 
-    private MaskW Has(in Place place, in Taps at)
+    // Whether pixels and their neighbours to the right show what is sought.
+    private void Has(in Place place, in Taps at, out MaskW left, out MaskW right)
     {
         SeenPlanes seen = Guides.Seen;
-        MaskW same = UIntW.Equal(at.Of(Guides.Things), place.Thing);
-        Vec3W normal = new(at.Of(seen.Normals(0)), at.Of(seen.Normals(1)), at.Of(seen.Normals(2)));
-        FloatW off = FloatW.Abs(Vec3W.Dot(place.Point, normal) - at.Of(_offsets.Pointer));
-        return same & (UIntW.Equal(place.Thing, 0u) | ((Vec3W.Dot(place.Normal, normal) > LeastCosine) & (off < place.Near)));
+        at.Of((float*)Guides.Things, out FloatW leftThing, out FloatW rightThing);
+        (left, right) = (UIntW.Equal(leftThing.AsUInt(), place.Thing), UIntW.Equal(rightThing.AsUInt(), place.Thing));
+        if (!(left | right).Any)
+        {
+            return;
+        }
+
+        at.Of(seen.Normals(0), out FloatW leftX, out FloatW rightX);
+        at.Of(seen.Normals(1), out FloatW leftY, out FloatW rightY);
+        at.Of(seen.Normals(2), out FloatW leftZ, out FloatW rightZ);
+        at.Of(_offsets.Pointer, out FloatW leftOffset, out FloatW rightOffset);
+        left &= place.IsIn(new(leftX, leftY, leftZ), leftOffset);
+        right &= place.IsIn(new(rightX, rightY, rightZ), rightOffset);
     }
 
     // Pieces of surfaces.
-    private readonly record struct Place(UIntW Thing, Vec3W Normal, Vec3W Point, FloatW Near);
+    private readonly record struct Place(UIntW Thing, Vec3W Normal, Vec3W Point, FloatW Near)
+    {
+        [MethodImpl(MethodImplOptions.AggressiveInlining)]
+        public MaskW IsIn(in Vec3W normal, in FloatW offset) =>
+            UIntW.Equal(Thing, 0u) | ((Vec3W.Dot(Normal, normal) > LeastCosine) & (FloatW.Abs(Vec3W.Dot(Point, normal) - offset) < Near));
+    }
 
-    // Places of pixels in the planes. Most often neighbours were neighbours before.
+    // Places of pixels in the planes, each with its neighbour to the right. Most often neighbours were neighbours before.
     private readonly struct Taps
     {
         private readonly UIntW _at;
@@ -174,10 +190,25 @@ internal sealed unsafe class MovingHistory
         public Taps Next(uint step) => new(_at + step, _first + step, _isRow);
 
         [MethodImpl(MethodImplOptions.AggressiveInlining)]
-        public FloatW Of(float* plane) => _isRow ? FloatW.Load(plane + _first) : FloatW.Gather(plane, _at);
+        public void Of(float* plane, out FloatW left, out FloatW right)
+        {
+            if (_isRow)
+            {
+                (left, right) = (FloatW.Load(plane + _first), FloatW.Load(plane + _first + 1));
+            }
+            else
+            {
+                FloatW.Gather(plane, _at, out left, out right);
+            }
+        }
 
-        [MethodImpl(MethodImplOptions.AggressiveInlining)]
-        public UIntW Of(uint* plane) => Of((float*)plane).AsUInt();
+        // Not inlined, since nothing is within methods of so many registers.
+        [MethodImpl(MethodImplOptions.NoInlining)]
+        public FloatW Sum(float* plane, in FloatW leftWeight, in FloatW rightWeight)
+        {
+            Of(plane, out FloatW left, out FloatW right);
+            return (left * leftWeight) + (right * rightWeight);
+        }
     }
 
     // What pixels have gathered: light, the number of pictures, and the means of the luminance and of its square.
@@ -187,20 +218,14 @@ internal sealed unsafe class MovingHistory
         public RgbW Light;
         public FloatW Length, Mean, Square;
 
-        [MethodImpl(MethodImplOptions.AggressiveInlining)]
-        public Gathered(PinnedBuffer<float> planes, PaddedRows rows, in Taps at)
+        public void Add(PinnedBuffer<float> planes, PaddedRows rows, in Taps at, in FloatW left, in FloatW right)
         {
             float* p = planes.Pointer;
             nint size = rows.Size;
-            Light = new(at.Of(p), at.Of(p + size), at.Of(p + (2 * size)));
-            (Length, Mean, Square) = (at.Of(p + (3 * size)), at.Of(p + (4 * size)), at.Of(p + (5 * size)));
-        }
-
-        [MethodImpl(MethodImplOptions.AggressiveInlining)]
-        public void Add(in Gathered other, in FloatW weight)
-        {
-            Light += other.Light * weight;
-            (Length, Mean, Square) = (Length + (other.Length * weight), Mean + (other.Mean * weight), Square + (other.Square * weight));
+            Light += new RgbW(at.Sum(p, left, right), at.Sum(p + size, left, right), at.Sum(p + (2 * size), left, right));
+            Length += at.Sum(p + (3 * size), left, right);
+            Mean += at.Sum(p + (4 * size), left, right);
+            Square += at.Sum(p + (5 * size), left, right);
         }
 
         public void Scale(in FloatW scale)

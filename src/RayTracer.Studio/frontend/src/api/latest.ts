@@ -6,11 +6,13 @@ export class Latest<T> {
   /**
    * @param send sends a request; what it throws goes to `failed`
    * @param merge joins a waiting request with a newer one; without it the newer one replaces it
+   * @param rest what is waited for after each request, though another one may wait
    */
   constructor(
     private readonly send: (request: T) => Promise<unknown>,
     private readonly failed: (error: unknown) => void,
     private readonly merge: (older: T, newer: T) => T = (_, newer) => newer,
+    private readonly rest?: () => Promise<void>,
   ) {}
 
   push(request: T): void {
@@ -29,6 +31,7 @@ export class Latest<T> {
       this.waiting = undefined;
       try {
         await this.send(request);
+        await this.rest?.();
       } catch (error) {
         this.failed(error);
       }

@@ -5,6 +5,7 @@ import { get, Refusal } from "../api/client";
 import { Latest } from "../api/latest";
 import type { Outline, TypeCatalogue, StudioState } from "../api/types";
 import { complain, say } from "./messages";
+import { cameraMoves } from "../viewport/stage";
 import { connection, documentState, outline, revision, schema, studio, take } from "./store";
 
 const pause = (milliseconds: number) => new Promise((resolve) => setTimeout(resolve, milliseconds));
@@ -14,7 +15,7 @@ const retryAfter = 1000;
 const longestSilence = 30_000;
 
 // While the picture changes all the time, its numbers need not: what is drawn of them takes time from the picture.
-const shortestPause = 100;
+const shortestPause = () => (cameraMoves.peek() ? 250 : 100);
 
 async function followState(): Promise<never> {
   let version = -1;
@@ -27,7 +28,7 @@ async function followState(): Promise<never> {
       const message = state.message;
       if (message && message.id !== studio.value?.message?.id) say(message.kind as "info" | "error", message.text);
       take(state);
-      await pause(Math.max(0, shortestPause - (performance.now() - start)));
+      await pause(Math.max(0, shortestPause() - (performance.now() - start)));
     } catch (error) {
       const isRefused = error instanceof Refusal && (error.status === 401 || error.status === 403);
       connection.value = isRefused ? "refused" : "lost";

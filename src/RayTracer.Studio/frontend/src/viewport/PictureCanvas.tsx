@@ -4,6 +4,7 @@ import { token } from "../api/client";
 import { texts } from "../texts";
 import { headerSize, readHeader } from "./frame";
 import type { ToWorker } from "./frames.worker";
+import { pace } from "./pace";
 import { Painter } from "./painter";
 import { cameraMoves, isOwnPicture, movingFrames, paintedDocument, paintedFrames, paintedPixels, picture, placement, zoom } from "./stage";
 
@@ -27,6 +28,7 @@ function followFrames(canvas: HTMLCanvasElement): () => void {
     paintedDocument.value = frame.document;
     if (cameraMoves.peek()) movingFrames.value++;
     paintedFrames.value++;
+    if (frame.isPreview) pace.painted(performance.now());
     // For measurements of how quickly pictures follow what is done.
     Object.assign(canvas.dataset, { painted: String(++painted), version: String(frame.version), samples: String(frame.samples), preview: String(frame.isPreview) });
     post({ kind: "painted" });

@@ -6,6 +6,7 @@ import { Latest } from "../api/latest";
 import { newGesture } from "../state/edits";
 import { complain } from "../state/messages";
 import { mergeMoves, type Move, type MoveKind } from "./moves";
+import { pace } from "./pace";
 import { cameraMoves } from "./stage";
 
 async function send(moves: Move[]): Promise<void> {
@@ -16,14 +17,17 @@ async function send(moves: Move[]): Promise<void> {
   }
 }
 
-const latest = new Latest<Move[]>(send, complain, mergeMoves);
+const latest = new Latest<Move[]>(send, complain, mergeMoves, () => pace.rest());
 
 export function move(kind: MoveKind, gesture: string, dx: number, dy: number, dz = 0, around?: [number, number]): void {
   cameraMoves.value = true;
   latest.push([{ kind, dx, dy, dz, gesture, ...(around && { around }) }]);
 }
 
-export const endMove = (kind: MoveKind, gesture: string) => latest.push([{ kind, dx: 0, dy: 0, dz: 0, gesture, end: true }]);
+export function endMove(kind: MoveKind, gesture: string): void {
+  latest.push([{ kind, dx: 0, dy: 0, dz: 0, gesture, end: true }]);
+  pace.hurry();
+}
 
 const burstPause = 350;
 const bursts = new Map<MoveKind, { gesture: string; timer: number }>();
