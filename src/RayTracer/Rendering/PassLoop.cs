@@ -77,6 +77,7 @@ internal sealed class PassLoop(Scene scene, RenderOptions options, Film film, Pa
         finally
         {
             Array.ForEach(cells, cell => cell.Free());
+            Array.ForEach(workers, worker => worker?.Close());
         }
 
         return Summarize([.. workers.OfType<Wavefront>()], dropped);

@@ -1,3 +1,4 @@
+using System.Collections.Concurrent;
 using System.Runtime.CompilerServices;
 using RayTracer.Acceleration;
 using RayTracer.Numerics;
@@ -11,6 +12,10 @@ namespace RayTracer.Rendering;
 public sealed unsafe class PathStream
 {
     private const int Columns = 32;
+
+    // What nobody uses. The moving view follows paths thirty times a second, and memory for each time would be collected as often.
+    private static readonly ConcurrentBag<PathStream> s_free = [];
+    private static readonly int s_most = 8 * Environment.ProcessorCount;
     private readonly PinnedBuffer<float> _memory;
     private readonly PinnedBuffer<RayW> _packet = new(1);
 
@@ -62,6 +67,28 @@ public sealed unsafe class PathStream
         Vc = Next();
         Vm = Next();
         Passed = Next();
+    }
+
+    /// <summary>Takes an empty stream, to be given back; what its columns hold is whatever was in them last.</summary>
+    /// <param name="capacity">The number of paths that it can hold.</param>
+    internal static PathStream Take(int capacity)
+    {
+        if (!s_free.TryTake(out PathStream? stream) || stream.Capacity != capacity)
+        {
+            return new(capacity);
+        }
+
+        stream.Count = 0;
+        return stream;
+    }
+
+    /// <summary>Gives it back; the caller uses it no more.</summary>
+    internal void GiveBack()
+    {
+        if (s_free.Count < s_most)
+        {
+            s_free.Add(this);
+        }
     }
 
     internal int Capacity { get; }

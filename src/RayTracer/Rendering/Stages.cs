@@ -14,12 +14,19 @@ internal sealed unsafe class Stages(Scene scene, int streamSize, SurfaceShader s
 {
     private readonly GroupMembers _members = new(scene, streamSize);
     private readonly PinnedBuffer<int> _hits = new(scene.World.RoomForHits(streamSize));
-    private PathStream _current = new(streamSize);
-    private PathStream _next = new(streamSize);
+    private PathStream _current = PathStream.Take(streamSize);
+    private PathStream _next = PathStream.Take(streamSize);
     private PathStream? _rays;
 
     /// <summary>Number of rays whose nearest hit was looked for.</summary>
     public long Rays { get; private set; }
+
+    /// <summary>Gives the memory of the streams back; no paths are followed any more.</summary>
+    public void Close()
+    {
+        _current.GiveBack();
+        _next.GiveBack();
+    }
 
     /// <summary>Follows the paths of a source to their ends.</summary>
     /// <param name="source">Starts them.</param>

@@ -67,6 +67,13 @@ internal sealed unsafe class Wavefront
 
     public long ShadowRays => _shader.ShadowRays + (_alone?.ShadowRays ?? 0);
 
+    /// <summary>Gives its memory back; it follows no more paths.</summary>
+    public void Close()
+    {
+        _stages.Close();
+        _alone?.Close();
+    }
+
     /// <summary>Follows the paths of some samples of every pixel of a tile; the accumulator has them then.</summary>
     /// <param name="film">The film that they are for.</param>
     /// <param name="tile">The pixels.</param>

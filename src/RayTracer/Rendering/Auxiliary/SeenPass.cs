@@ -28,7 +28,7 @@ internal sealed class SeenPass(Scene scene, int threads)
             worker.Take(tile, new(sample, sample + 1));
             return worker;
         },
-        _ => { }).IsCompleted;
+        worker => worker.Close()).IsCompleted;
 
     // What each thread has.
     private sealed class Worker
@@ -45,6 +45,12 @@ internal sealed class SeenPass(Scene scene, int threads)
             _beyond = new(scene, size, Edge * Edge);
             _paths = new(scene, planes, _beyond);
             _wavefront = new(scene, size, Edge * Edge, _paths);
+        }
+
+        public void Close()
+        {
+            _wavefront.Close();
+            _beyond.Close();
         }
 
         public void Take(in Tile tile, SampleRange sample)

@@ -49,6 +49,9 @@ internal sealed unsafe class SeenThrough : InteriorShader
         _stages.Follow(_generator, samples);
     }
 
+    /// <summary>Gives its memory back; it follows no more paths.</summary>
+    public void Close() => _stages.Close();
+
     /// <summary>Puts a sample of some pixels into planes.</summary>
     /// <param name="planes">The planes; no other thread may use the pixels.</param>
     /// <param name="pixels">The pixels' numbers in the picture, row by row.</param>
