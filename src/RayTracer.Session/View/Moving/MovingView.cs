@@ -143,7 +143,7 @@ internal sealed unsafe class MovingView
             Span<float> row = _mixed.Row(y);
             for (int x = 0; x < width; x++)
             {
-                seen.TakeLight(seen.Rows.At(x, y), new(row[3 * x], row[(3 * x) + 1], row[(3 * x) + 2]));
+                seen.TakeLight(seen.Rows.At(x, y), row[3 * x], row[(3 * x) + 1], row[(3 * x) + 2]);
             }
         }
 

@@ -49,10 +49,14 @@ internal sealed unsafe class SeenByPaths(Scene scene, SeenPlanes planes, SeenThr
         Array.Resize(ref _paths, Math.Max(_paths.Length, tile.Pixels));
         Array.Resize(ref _places, _paths.Length);
         Array.Clear(_paths);
-        for (int path = 0; path < tile.Pixels; path++)
+        for (int y = 0; y < tile.Height; y++)
         {
-            (int x, int y) = tile.Pixel(path);
-            _places[path] = planes.Rows.At(x, y);
+            Span<int> row = _places.AsSpan(y * tile.Width, tile.Width);
+            int first = planes.Rows.At(tile.X, tile.Y + y);
+            for (int x = 0; x < row.Length; x++)
+            {
+                row[x] = first + x;
+            }
         }
     }
 
@@ -77,12 +81,16 @@ internal sealed unsafe class SeenByPaths(Scene scene, SeenPlanes planes, SeenThr
         material.Albedo(surface, out RgbW albedo);
         float* seen = stackalloc float[SeenPlanes.Kinds * FloatW.Count];
         SeenPlanes.Put(surface.Point, surface.Facing, albedo, seen);
+        uint* places = stackalloc uint[FloatW.Count];
         for (uint rest = opaque; rest != 0; rest &= rest - 1)
         {
             int lane = BitOperations.TrailingZeroCount(rest);
             int ray = (int)index[lane];
-            planes.Take(Mark(stream, ray, Seen), seen + lane, SeenPlanes.SurfaceOf(scene, stream, ray));
+            places[lane] = (uint)Mark(stream, ray, Seen);
+            planes.Surface[places[lane]] = SeenPlanes.SurfaceOf(scene, stream, ray);
         }
+
+        planes.Take(places, seen, opaque);
     }
 
     /// <inheritdoc/>
@@ -121,7 +129,7 @@ internal sealed unsafe class SeenByPaths(Scene scene, SeenPlanes planes, SeenThr
             isFinite.Select(SampleAccumulator.Clamp(blue), 0f).Store(light + (2 * FloatW.Count));
             for (int lane = 0; lane < Math.Min(FloatW.Count, finished.Count - i); lane++)
             {
-                planes.TakeLight(_places[finished.Path[i + lane]], new(light[lane], light[FloatW.Count + lane], light[(2 * FloatW.Count) + lane]));
+                planes.TakeLight(_places[finished.Path[i + lane]], light[lane], light[FloatW.Count + lane], light[(2 * FloatW.Count) + lane]);
             }
         }
 

@@ -68,9 +68,14 @@ internal sealed unsafe class SeenPlanes
         new((int)stream.Primitive[ray], scene.World.Instances is null ? 0 : (int)stream.Instance[ray]);
 
     /// <summary>Takes the light of a pixel.</summary>
-    public void TakeLight(int at, Rgb light) => Store(9, at, new(light.R, light.G, light.B));
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public void TakeLight(int at, float red, float green, float blue)
+    {
+        float* to = Plane(9) + at;
+        (to[0], to[_size], to[2 * _size]) = (red, green, blue);
+    }
 
-    /// <summary>Writes what rays see side by side, for <see cref="Take(int, float*, SurfaceName)"/>.</summary>
+    /// <summary>Writes what rays see side by side, for <see cref="Take(uint*, float*, uint)"/>.</summary>
     /// <param name="point">The points, as far behind a mirror as the light has gone.</param>
     /// <param name="normal">The unit normals there.</param>
     /// <param name="albedo">The part of the light that comes from there to the camera.</param>
@@ -88,19 +93,29 @@ internal sealed unsafe class SeenPlanes
         albedo.B.Store(to + (8 * FloatW.Count));
     }
 
-    /// <summary>Takes what a ray sees.</summary>
-    /// <param name="at">The place of its pixel.</param>
-    /// <param name="seen">Its lane of what <see cref="Put"/> has written.</param>
-    /// <param name="surface">The surface.</param>
-    public void Take(int at, float* seen, SurfaceName surface)
+    /// <summary>Takes what rays see, but for the surfaces.</summary>
+    /// <param name="places">The places of their pixels, a register of them.</param>
+    /// <param name="seen">What <see cref="Put"/> has written.</param>
+    /// <param name="lanes">The rays.</param>
+    public void Take(uint* places, float* seen, uint lanes)
     {
-        float* to = _first + at;
+        // Camera rays that meet one thing are most often neighbours: registers are stored whole then.
+        bool isRow = lanes == MaskW.All.Bits && UIntW.Equal(UIntW.Load(places), UIntW.Iota + places[0]).Bits == lanes;
+        float* to = _first;
         for (int kind = 0; kind < Kinds; kind++, to += _size, seen += FloatW.Count)
         {
-            *to = *seen;
-        }
+            if (isRow)
+            {
+                FloatW.Load(seen).Store(to + places[0]);
+                continue;
+            }
 
-        Surface[at] = surface;
+            for (uint rest = lanes; rest != 0; rest &= rest - 1)
+            {
+                int lane = BitOperations.TrailingZeroCount(rest);
+                to[places[lane]] = seen[lane];
+            }
+        }
     }
 
     /// <summary>Takes what a ray sees.</summary>
