@@ -224,7 +224,7 @@ public class EverydayWalks(ChromiumBrowser browser)
         Assert.Equal(file, w.Session.Document.Place.Path);
 
         // One that is in no file becomes a new scene.
-        w.Session.Files.OpenGallery("minimal", discard: true);
+        w.Session.Files.OpenGallery("minimal.json", discard: true);
         string minimal = w.Session.Document.Text;
         await TypeWithoutServer(w, "// typed in none", next);
         await StudioWindow.Until("it is kept", async () => (await next.EvaluateAsync<string>("() => localStorage.getItem('studio.unsent') ?? ''")).Contains("typed in none", StringComparison.Ordinal));
