@@ -3,7 +3,7 @@ using System.Text.Json;
 namespace RayTracer.Session;
 
 /// <summary>
-/// Keeps a document's text while it is not saved, a moment after each change, so that it is found again after a crash. Every session has a
+/// Keeps a document's text while it is not saved, at most a moment after each change, so that it is found again after a crash. Every session has a
 /// separate file, which it holds a lock for; only what no living session holds is offered.
 /// </summary>
 public sealed class Recovery : IDisposable
@@ -19,6 +19,7 @@ public sealed class Recovery : IDisposable
     private IReadOnlyList<RecoveryEntry> _entries;
     private FolderLock? _hold;
     private int _seen;
+    private bool _isWaiting;
     private bool _isDisposed;
 
     /// <summary>Looks for texts of sessions that have ended, and begins to keep that of a document.</summary>
@@ -86,6 +87,7 @@ public sealed class Recovery : IDisposable
     {
         lock (_lock)
         {
+            _isWaiting = false;
             if (_isDisposed)
             {
                 return;
@@ -187,7 +189,13 @@ public sealed class Recovery : IDisposable
             _seen = revision;
             if (isDirty && !_isDisposed)
             {
-                _timer.Change(s_delay, Timeout.InfiniteTimeSpan);
+                // From the first change on: who types without a pause has the text kept, too.
+                if (!_isWaiting)
+                {
+                    _timer.Change(s_delay, Timeout.InfiniteTimeSpan);
+                }
+
+                _isWaiting = true;
                 return;
             }
         }

@@ -9,7 +9,10 @@ namespace RayTracer.Session;
 internal sealed class FilmKeeper : IDisposable
 {
     private const double WorthSeconds = 20;
-    private static readonly TimeSpan s_every = TimeSpan.FromMinutes(2);
+
+    // A film is large: once it is kept, so much of its rendering may be lost.
+    private const double MostLostSeconds = 120;
+    private static readonly TimeSpan s_every = TimeSpan.FromSeconds(10);
     private readonly SemaphoreSlim _one = new(1);
     private readonly SceneDocument _document;
     private readonly PictureView _view;
@@ -19,6 +22,7 @@ internal sealed class FilmKeeper : IDisposable
     private readonly ITimer _timer;
     private KeptFilm? _kept;
     private (long Picture, int Samples) _last;
+    private double _lastSeconds;
 
     /// <summary>Begins to watch.</summary>
     /// <param name="document">The document.</param>
@@ -30,8 +34,11 @@ internal sealed class FilmKeeper : IDisposable
     public FilmKeeper(SceneDocument document, PictureView view, PictureSaver saver, UserFolders folders, TimeProvider time, double? worth = null)
     {
         (_document, _view, _saver, _folders, _worth) = (document, view, saver, folders, worth ?? WorthSeconds);
-        _timer = time.CreateTimer(_ => _ = Keep(), null, s_every, s_every);
+        _timer = time.CreateTimer(_ => _ = IsDue ? Keep() : Task.CompletedTask, null, s_every, s_every);
     }
+
+    /// <summary>Whether there is so much new to keep that it is worth writing: a picture that has none kept, much work since then, or the end of it.</summary>
+    internal bool IsDue => _view.Shown?.Picture != _last.Picture || _view.Loop.Status.Status == "done" || _view.Loop.Status.Seconds - _lastSeconds >= MostLostSeconds;
 
     /// <summary>Keeps the film as it is now, if that is worth it.</summary>
     public async Task Keep()
@@ -85,6 +92,6 @@ internal sealed class FilmKeeper : IDisposable
 
         _kept ??= new(_folders, _document.Place.Name);
         await _saver.WriteFilm(_kept.Path).ConfigureAwait(false);
-        _last = now;
+        (_last, _lastSeconds) = (now, _view.Loop.Status.Seconds);
     }
 }

@@ -24,10 +24,12 @@ internal sealed class FilmWork(FrameBoard frames)
     private readonly LightLayers _lights = new();
     private readonly LightLayers _previewLights = new();
     private readonly PublishPace _pace = new();
+    private readonly FilmAside _aside = new();
     private SlicePlan _plan = new(default, 0);
     private Textbook.Renderer? _textbook;
     private long _rays;
     private double _seconds;
+    private double _secondsBefore;
     private double _rendered;
     private long _badSamples;
     private double? _noise;
@@ -139,7 +141,7 @@ internal sealed class FilmWork(FrameBoard frames)
             Samples = _plan.Samples,
             SamplesTotal = wanted.Samples,
             RaysPerSecond = _seconds > 0 ? _rays / _seconds : 0,
-            Seconds = _seconds,
+            Seconds = _secondsBefore + _seconds,
             SecondsLeft = perSample > 0 ? Math.Max(0, wanted.Samples - _samplesBefore - _rendered) * perSample : null,
             Noise = _noise,
             IsPreview = _plan.Samples == 0,
@@ -174,16 +176,20 @@ internal sealed class FilmWork(FrameBoard frames)
         }
 
         Film = begun ?? Film;
-        _hasSamples = begun is not null;
         _lights.Begin(wanted, Film!);
+
+        // Light that is kept apart has not been set aside.
+        bool isResumed = begun is null && _lights.Film is null && _textbook is null && _aside.TryResume(wanted, Film!);
+        _hasSamples = begun is not null || isResumed;
         Shown = wanted;
-        _samplesBefore = begun is null ? wanted.First : wanted.Start!.Held.End;
+        _samplesBefore = isResumed ? _aside.Samples : begun is null ? wanted.First : wanted.Start!.Held.End;
         _plan = new SlicePlan(wanted.Area, wanted.Samples, _textbook is not null || render.Integrator.Has(IntegratorTraits.TracesLight)).From(_samplesBefore);
         _isFromFile = _samplesBefore > wanted.First;
         BeginPreviews(wanted);
 
         Log.Clear();
         (_rays, _seconds, _rendered, _badSamples, _noise) = (0, 0, 0, 0, _isFromFile ? NoiseEstimate.Of(Film, wanted.Area) : null);
+        _secondsBefore = isResumed ? _aside.Seconds : 0;
     }
 
     private void BeginPreviews(ViewportScene wanted)
@@ -302,6 +308,10 @@ internal sealed class FilmWork(FrameBoard frames)
         if (!_plan.IsUneven)
         {
             Log.Add(Film!, wanted.Area, _plan.Samples);
+            if (_lights.Film is null && _textbook is null)
+            {
+                _aside.Keep(wanted, Film!, _plan.Samples, _secondsBefore + _seconds);
+            }
         }
 
         if (!_plan.IsUneven && (Stopwatch.GetElapsedTime(_noiseAt) > NoiseEvery || _plan.IsDone))
@@ -384,6 +394,13 @@ internal sealed class FilmWork(FrameBoard frames)
         if (shown.Settings.Map.Image is not null)
         {
             _maps.ReadRow(shown, Film!, y, row);
+            return;
+        }
+
+        if (_plan is { Samples: 0, IsUneven: false })
+        {
+            // What is seen has not come from the film: its pixels are not black.
+            Array.Fill(row, double.NaN);
             return;
         }
 

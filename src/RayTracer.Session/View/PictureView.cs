@@ -24,6 +24,7 @@ public sealed class PictureView : IDisposable
     private FilmStart? _start;
     private DocumentPlace? _startPlace;
     private long _startPicture;
+    private int _round;
 
     /// <summary>Shows a document.</summary>
     public PictureView(SceneDocument document)
@@ -312,6 +313,7 @@ public sealed class PictureView : IDisposable
             // A user who has stopped one picture wants to see the next one.
             _settings = _settings.Mode == RenderMode.Stopped && !restart && _shown is not null ? _settings with { Mode = RenderMode.Running } : _settings;
             _pictures++;
+            _round += restart ? 1 : 0;
         }
 
         _shown = WithStart(shown with { Settings = _settings });
@@ -334,7 +336,7 @@ public sealed class PictureView : IDisposable
             }
         }
 
-        return shown with { Place = _place, Picture = _pictures, Start = _startPicture == _pictures ? _start : null };
+        return shown with { Place = _place, Picture = _pictures, Round = _round, Start = _startPicture == _pictures ? _start : null };
     }
 
     private ViewportScene? Seen(GoodScene good)
@@ -353,7 +355,8 @@ public sealed class PictureView : IDisposable
         return scene is null ? null : new(good, scene, camera, _settings);
     }
 
-    private static bool IsSamePicture(ViewportScene a, ViewportScene b)
+    /// <summary>Returns whether the samples of one are samples of the other.</summary>
+    internal static bool IsSamePicture(ViewportScene a, ViewportScene b)
     {
         RenderDescription render = a.Scene.Render;
 

@@ -46,20 +46,20 @@ public sealed class SnapshotList(PictureView view, TimeProvider time)
         return snapshot;
     }
 
-    /// <summary>Gives a picture another name, or none.</summary>
+    /// <summary>Gives a picture another name, or keeps it no longer.</summary>
     /// <param name="id">The picture.</param>
-    /// <param name="name">Its name; null to keep it no longer.</param>
-    /// <exception cref="SessionException">It is not kept.</exception>
+    /// <param name="name">Its name; null to keep it no longer, which does nothing where it is not kept.</param>
+    /// <exception cref="SessionException">It is not kept, and cannot get a name.</exception>
     public void Rename(int id, string? name)
     {
         lock (_lock)
         {
-            int at = _kept.IndexOf(Find(id));
             if (name is null)
             {
-                _kept.RemoveAt(at);
+                // A second click is on its way before the first has taken the picture off the strip.
+                _kept.RemoveAll(k => k.Snapshot.Id == id);
             }
-            else if (!string.IsNullOrWhiteSpace(name))
+            else if (_kept.IndexOf(Find(id)) is var at && !string.IsNullOrWhiteSpace(name))
             {
                 _kept[at] = _kept[at] with { Snapshot = _kept[at].Snapshot with { Name = name.Trim() } };
             }

@@ -23,6 +23,9 @@ public sealed record ViewportScene(
     /// <summary>The document that it is of: pictures of another have nothing to do with it.</summary>
     internal DocumentPlace? Place { get; init; }
 
+    /// <summary>How often rendering was begun from scratch on request: earlier pictures are not wanted any more.</summary>
+    internal int Round { get; init; }
+
     private readonly Dictionary<object, string?> _pointers = new(ReferenceEqualityComparer.Instance);
     private readonly Lazy<(Vector3, float)> _extent = new(() =>
     {

@@ -32,6 +32,21 @@ public sealed class RecoveryTests
     }
 
     [Fact]
+    public void A_text_is_kept_while_it_is_typed_without_a_pause()
+    {
+        using SessionFolder folder = new();
+        FakeTime time = new();
+        using DocumentSession session = new(folder.User, ShippedScenes.Folder, time);
+        for (int i = 0; i < 5; i++)
+        {
+            session.Document.TryReplace(session.Document.Revision, 0, 0, "/", "typing");
+            time.Pass(TimeSpan.FromSeconds(0.3));
+        }
+
+        Assert.Contains("\"Text\":\"////", File.ReadAllText(Assert.Single(Directory.GetFiles(folder.User.Recovery, "*.json"))), StringComparison.Ordinal);
+    }
+
+    [Fact]
     public void A_recovered_text_survives_a_second_crash()
     {
         using SessionFolder folder = new();

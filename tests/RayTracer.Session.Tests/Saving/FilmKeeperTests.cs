@@ -51,6 +51,22 @@ public sealed class FilmKeeperTests : IDisposable
     }
 
     [Fact]
+    public async Task A_film_is_kept_soon_after_it_is_worth_it_and_then_seldom()
+    {
+        FakeTime time = new();
+        using StudioSession session = await Rendering(time: time);
+        Assert.True(session.Films.IsDue);
+        time.Pass(TimeSpan.FromSeconds(10));
+        await Until(() => Directory.GetFiles(_folder.User.RecoveredFilms, "*.rtfilm", SearchOption.AllDirectories).Length == 1);
+
+        // One at a time: afterwards, the other is done.
+        await session.Films.Keep();
+        int samples = session.View.Loop.Status.Samples;
+        await Until(() => session.View.Loop.Status.Samples > samples);
+        Assert.False(session.Films.IsDue);
+    }
+
+    [Fact]
     public async Task What_took_no_time_is_not_kept()
     {
         using (await Rendering(worth: 1e6))
@@ -61,10 +77,10 @@ public sealed class FilmKeeperTests : IDisposable
         Assert.Empty(second.Recovery.Entries);
     }
 
-    private async Task<StudioSession> Rendering(double worth = 0)
+    private async Task<StudioSession> Rendering(double worth = 0, TimeProvider? time = null)
     {
         StudioSession session = new(_folder.User);
-        session.Films = new(session.Document, session.View, session.Pictures, _folder.User, TimeProvider.System, worth);
+        session.Films = new(session.Document, session.View, session.Pictures, _folder.User, time ?? TimeProvider.System, worth);
         session.Document.Open(Scene, new("long.json", null, _folder.FullName), isSaved: true);
         await Until(() => session.View.Shown?.Good.Revision == session.Document.Revision && session.View.Loop.Status is { Samples: >= 4, SamplesTotal: 1048576 });
         return session;

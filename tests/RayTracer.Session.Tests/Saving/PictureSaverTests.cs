@@ -114,6 +114,12 @@ public sealed class PictureSaverTests
         Assert.Equal(before, test.Session.Snapshots.Png(snapshot.Id));
         Assert.Equal(2, test.Session.Snapshots.All.Count);
         Assert.Throws<SessionException>(() => test.Session.Snapshots.Png(99));
+
+        // A quick hand clicks twice.
+        test.Session.Snapshots.Rename(snapshot.Id, null);
+        test.Session.Snapshots.Rename(snapshot.Id, null);
+        Assert.NotEqual(snapshot.Id, Assert.Single(test.Session.Snapshots.All).Id);
+        Assert.Throws<SessionException>(() => test.Session.Snapshots.Rename(snapshot.Id, "late"));
     }
 
     [Fact]

@@ -119,6 +119,22 @@ public sealed class PlaceInViewTests
         }
     }
 
+    [Theory]
+    [InlineData(20, 13)]
+    [InlineData(18, 14)]
+    public async Task On_the_side_of_a_ball_nothing_hangs_while_there_is_ground_beside(float x, float y)
+    {
+        using TestSession test = new();
+        ViewportScene shown = await test.Open(WithBall);
+        PickResult seen = Picking.At(shown, x, y);
+        Assert.True(seen.Pointer == "/shapes/0" && seen.Normal!.Value.Y < 0.9f, $"{seen}");
+        (_, string pointer) = test.Session.Edits.Add("shape", "box", at: new(x, y));
+        Bounds box = await BoxOf(test, pointer);
+        Assert.Equal(-0.5f, box.Minimum.Y, 2e-3f);
+        Vector3 nearest = Vector3.Clamp(new(0, 0.5f, 0), box.Minimum, box.Maximum);
+        Assert.True((nearest - new Vector3(0, 0.5f, 0)).Length() > 0.97f, $"The box at {box} cuts into the ball.");
+    }
+
     [Fact]
     public async Task Where_there_is_no_room_on_what_is_seen_a_thing_stands_on_the_ground_beside()
     {

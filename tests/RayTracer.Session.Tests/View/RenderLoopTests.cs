@@ -39,6 +39,51 @@ public sealed class RenderLoopTests
         Assert.Equal(HashOf(shown.Scene), await Hash(test));
     }
 
+    [Fact]
+    public async Task Pixels_without_samples_have_no_numbers()
+    {
+        using TestSession test = new();
+        test.Session.View.Change(s => s with { Mode = RenderMode.Paused });
+        await test.OpenShipped(Scene2, 32, 4);
+        IReadOnlyList<PixelReading> readings = await test.Session.View.Loop.Pixels(new(16, 16, 2, 1));
+        Assert.Equal(2, readings.Count);
+        Assert.All(readings.SelectMany(r => r.Values), v => Assert.Null(v));
+    }
+
+    [Fact]
+    public async Task Who_looks_around_finds_the_picture_with_its_samples_again()
+    {
+        using TestSession test = new();
+        string text = File.ReadAllText(ProjectFolder.PathOf("scenes", Scene2));
+        await test.Open(JsonText.Of(text).Set("/render/width", 32).Set("/render/height", 32).Set("/render/samplesPerPixel", 1 << 20).Set("/render/sampler", "independent").Text);
+        RenderStatus before = await test.Until(() => test.Session.View.Loop.Status is { Seconds: > 2.5 } s ? s : null);
+        test.Session.Camera.Move(new(CameraMoveKind.Orbit, 0.1f, 0.02f));
+        await test.Until(() => test.Session.View.Loop.Status is { Seconds: < 2, Samples: > 0 } s ? s : null);
+        test.Session.View.Change(s => s with { Mode = RenderMode.Paused });
+        test.Session.Camera.Move(new(CameraMoveKind.Home));
+
+        // Rendered from scratch, it would have none, as it is paused.
+        RenderStatus again = await test.Until(() => test.Session.View.Loop.Status is { Status: "paused" } s && s.Samples >= before.Samples / 2 ? s : null);
+        test.Session.View.Change(s => s with { Samples = again.Samples + 8, Mode = RenderMode.Running });
+        await test.Done();
+        ViewportScene shown = test.Session.View.RequireShown();
+        Assert.Equal(again.Samples + 8, shown.Samples);
+        Assert.Equal(HashOf(shown.Scene), await Hash(test));
+
+        // Unless it is to be rendered from scratch.
+        test.Session.View.Change(s => s with { Mode = RenderMode.Paused }, restart: true);
+        test.Session.Camera.Move(new(CameraMoveKind.Orbit, 0.1f, 0.02f));
+        test.Session.Camera.Move(new(CameraMoveKind.Home));
+        long picture = test.Session.View.RequireShown().Picture;
+        (long Picture, int Samples) read = default;
+        while (read.Picture != picture)
+        {
+            read = await test.Session.View.Loop.ReadFilm((_, order, samples) => (order.Picture, samples));
+        }
+
+        Assert.Equal(0, read.Samples);
+    }
+
     [Theory]
     [InlineData("sobol", 16)]
     [InlineData("jittered", 9)]

@@ -196,12 +196,44 @@ public class EverydayWalks(ChromiumBrowser browser)
         IPage next = await w.NewPage();
         await next.GetByRole(AriaRole.Button, new() { Name = "Merge it in" }).ClickAsync();
         await w.Text("all changes are there", t => t.StartsWith("// typed in another\n// typed in the dark\n", StringComparison.Ordinal) && t.Contains("0.5", StringComparison.Ordinal));
-        Assert.Equal("", await next.EvaluateAsync<string>("() => localStorage.getItem('studio.unsent') ?? ''"));
+        await StudioWindow.Until("nothing is kept any more", async () => await next.EvaluateAsync<bool>("() => localStorage.getItem('studio.unsent') === null"));
 
         // Without a server, a window says so.
         await w.Server.DisposeAsync();
         await Expect(next.GetByText("The Studio is not responding.")).ToBeVisibleAsync();
         await Expect(next.GetByRole(AriaRole.Contentinfo)).ToHaveTextAsync("not connected");
+    }
+
+    [SkippableFact]
+    public async Task What_was_typed_while_the_Studio_was_gone_is_offered_where_another_scene_is_open()
+    {
+        await using StudioWindow w = await StudioWindow.Open(browser, "primer/01-sphere");
+        await w.Painted();
+        string file = w.Session.Document.Place.Path!;
+        string before = w.Session.Document.Text;
+        await TypeWithoutServer(w, "// typed in the dark");
+        IPage page = w.Page;
+        await StudioWindow.Until("it is kept", async () => (await page.EvaluateAsync<string>("() => localStorage.getItem('studio.unsent') ?? ''")).Contains("typed in the dark", StringComparison.Ordinal));
+        await page.CloseAsync();
+        w.Session.Files.New();
+
+        IPage next = await w.NewPage();
+        await next.GetByRole(AriaRole.Button, new() { Name = "Open 01-sphere.json" }).ClickAsync();
+        await next.GetByRole(AriaRole.Button, new() { Name = "Merge it in" }).ClickAsync();
+        await w.Text("it is there", t => t == "// typed in the dark\n" + before);
+        Assert.Equal(file, w.Session.Document.Place.Path);
+
+        // One that is in no file becomes a new scene.
+        w.Session.Files.OpenGallery("minimal.json", discard: true);
+        string minimal = w.Session.Document.Text;
+        await TypeWithoutServer(w, "// typed in none", next);
+        await StudioWindow.Until("it is kept", async () => (await next.EvaluateAsync<string>("() => localStorage.getItem('studio.unsent') ?? ''")).Contains("typed in none", StringComparison.Ordinal));
+        await next.CloseAsync();
+        w.Session.Files.Open(file);
+        IPage last = await w.NewPage();
+        await last.GetByRole(AriaRole.Button, new() { Name = "Open it as a new scene" }).ClickAsync();
+        await w.Text("it is there", t => t == "// typed in none\n" + minimal);
+        Assert.True(w.Session.Document.IsDirty);
     }
 
     [ThoroughFact]
@@ -243,16 +275,17 @@ public class EverydayWalks(ChromiumBrowser browser)
     }
 
     // The state that changes ends the request that waits for it; the next one fails.
-    private static async Task TypeWithoutServer(StudioWindow w, string line)
+    private static async Task TypeWithoutServer(StudioWindow w, string line, IPage? page = null)
     {
+        page ??= w.Page;
         w.Expected.Add("ERR_");
         w.Expected.Add("Failed to load resource");
-        await w.Page.RouteAsync("**/api/document/text", route => route.AbortAsync("connectionrefused"));
-        await w.Page.RouteAsync("**/api/state*", route => route.AbortAsync("connectionrefused"));
+        await page.RouteAsync("**/api/document/text", route => route.AbortAsync("connectionrefused"));
+        await page.RouteAsync("**/api/state*", route => route.AbortAsync("connectionrefused"));
         w.Session.Selection.Select(w.Session.Selection.Pointer is null ? "/shapes/0" : null);
-        await Expect(w.Page.GetByText("The Studio is not responding.")).ToBeVisibleAsync();
-        await w.Page.GetByRole(AriaRole.Textbox, new() { Name = "Scene source" }).ClickAsync();
-        await w.Page.Keyboard.PressAsync("Control+Home");
-        await w.Page.Keyboard.TypeAsync($"{line}\n");
+        await Expect(page.GetByText("The Studio is not responding.")).ToBeVisibleAsync();
+        await page.GetByRole(AriaRole.Textbox, new() { Name = "Scene source" }).ClickAsync();
+        await page.Keyboard.PressAsync("Control+Home");
+        await page.Keyboard.TypeAsync($"{line}\n");
     }
 }

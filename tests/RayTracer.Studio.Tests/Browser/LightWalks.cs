@@ -102,6 +102,28 @@ public class LightWalks(ChromiumBrowser browser)
         await Expect(w.Page.GetByText("background", new() { Exact = true })).ToHaveCountAsync(1);
     }
 
+    [SkippableFact]
+    public async Task A_colour_becomes_a_picture_once_its_file_is_chosen()
+    {
+        await using StudioWindow w = await StudioWindow.Open(browser, "report/scene1");
+        await w.Painted();
+        string before = w.Session.Document.Text;
+        const string name = "table";
+        await w.Page.GetByRole(AriaRole.Treeitem, new() { NameRegex = new($"^{name} .*diffuse") }).ClickAsync();
+        ILocator kinds = w.Page.GetByRole(AriaRole.Combobox, new() { Name = "color: Texture", Exact = true });
+        await Expect(kinds).ToHaveValueAsync("color");
+        await kinds.SelectOptionAsync("type:image");
+        ILocator dialog = w.Page.GetByRole(AriaRole.Dialog);
+        await Expect(dialog).ToBeVisibleAsync();
+        await w.Page.Keyboard.PressAsync("Escape");
+        await Expect(dialog).ToHaveCountAsync(0);
+        await Expect(kinds).ToHaveValueAsync("color");
+        Assert.Equal(before, w.Session.Document.Text);
+        await kinds.SelectOptionAsync("type:image");
+        await dialog.GetByRole(AriaRole.Button, new() { NameRegex = new("globe") }).DblClickAsync();
+        await Good(w, "it is a picture", s => s.Materials[name] is DiffuseMaterialDescription { Color: Textures.ImageTextureDescription { File: "globe.png" } });
+    }
+
     [ThoroughFact]
     [Trait("Category", "Thorough")]
     public async Task A_material_becomes_each_type_there_is_and_the_scene_stays_good()

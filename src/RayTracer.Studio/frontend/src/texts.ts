@@ -139,6 +139,7 @@ function textsOf(t: typeof english) {
     connection: {
       ...t.connection,
       unsent: (name: string, time: string) => fill(t.connection.unsent, { name, time }),
+      openFirst: (name: string) => fill(t.connection.openFirst, { name }),
     },
     opening: {
       ...t.opening,

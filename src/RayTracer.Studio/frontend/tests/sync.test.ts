@@ -1,6 +1,6 @@
 import { ChangeSet, Text } from "@codemirror/state";
 import { describe, expect, test } from "vitest";
-import { difference, TextSync, type SyncServer } from "../src/editor/sync";
+import { difference, fingerprint, TextSync, type SyncServer } from "../src/editor/sync";
 
 /** A server as the Studio's: it knows one text, and takes changes of the newest revision only. */
 class FakeServer implements SyncServer {
@@ -32,12 +32,12 @@ class FakeEditor {
   shown: Text;
   sync: TextSync;
 
-  constructor(server: FakeServer) {
+  constructor(server: FakeServer, failed?: (error: unknown) => void) {
     this.shown = Text.of(server.text.split("\n"));
     const fail = (error: unknown) => {
       throw error;
     };
-    this.sync = new TextSync(server, { apply: (changes) => (this.shown = changes.apply(this.shown)) }, this.shown, server.revision, fail);
+    this.sync = new TextSync(server, { apply: (changes) => (this.shown = changes.apply(this.shown)) }, this.shown, server.revision, failed ?? fail);
   }
 
   type(from: number, to: number, insert: string) {
@@ -48,6 +48,17 @@ class FakeEditor {
 }
 
 describe("the editor's text", () => {
+  test("is known with all that the server has had, while it is gone", async () => {
+    const server = new FakeServer("abc");
+    const editor = new FakeEditor(server, () => undefined);
+    editor.type(0, 0, "x");
+    await editor.sync.flush();
+    server.delay = () => Promise.reject(new TypeError("gone"));
+    editor.type(1, 1, "y");
+    await editor.sync.flush();
+    expect(editor.sync.unsentText()).toEqual({ base: "xabc", text: "xyabc", passed: ["abc", "xabc"].map(fingerprint) });
+  });
+
   test("reaches the server as it is typed", async () => {
     const server = new FakeServer("abc");
     const editor = new FakeEditor(server);
@@ -88,10 +99,10 @@ describe("the editor's text", () => {
     await Promise.resolve();
     await Promise.resolve();
     editor.type(1, 1, "2");
-    expect(editor.sync.unsentText()).toEqual({ base: "abc", text: "12abc" });
+    expect(editor.sync.unsentText()).toMatchObject({ base: "abc", text: "12abc" });
     arrive();
     await new Promise((resolve) => setTimeout(resolve));
-    expect(editor.sync.unsentText()).toEqual({ base: "1abc", text: "12abc" });
+    expect(editor.sync.unsentText()).toMatchObject({ base: "1abc", text: "12abc" });
     arrive();
     await editor.sync.flush();
     expect(editor.sync.unsentText()).toBeNull();

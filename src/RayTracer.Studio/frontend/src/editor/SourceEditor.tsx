@@ -52,8 +52,10 @@ function burstNames(): () => string {
 /** Keeps what the server did not take. */
 function keep(sync: TextSync): void {
   const unsent = sync.unsentText();
-  if (unsent) keepUnsent({ name: documentState.value?.name ?? "", time: new Date().toISOString(), ...unsent });
+  if (unsent) keepUnsent({ ...shownDocument(), time: new Date().toISOString(), ...unsent });
 }
+
+const shownDocument = () => ({ name: documentState.value?.name ?? "", path: documentState.value?.path ?? null });
 
 function create(root: ShadowRoot, text: string, startRevision: number): { view: EditorView; sync: TextSync } {
   const nameBurst = burstNames();
@@ -115,16 +117,20 @@ function connect({ view, sync }: { view: EditorView; sync: TextSync }): () => vo
     effect(() => {
       if (connection.value === "open" && wasLost) {
         sync.retry();
-        void sync.flush().then(() => sync.unsentText() === null && forgetUnsent());
+        void sync.flush().then(() => sync.unsentText() === null && forgetUnsent(shownDocument()));
       }
       wasLost = connection.value !== "open";
     }),
     effect(() => {
-      const unsent = mergeWanted.value;
-      if (!unsent) return;
+      if (!mergeWanted.value) return;
+      const { unsent, isWhole } = mergeWanted.value;
       mergeWanted.value = null;
-      view.dispatch({ changes: mergedChange(unsent, view.state.doc.toString()), scrollIntoView: true });
-      forgetUnsent();
+      // Into the text that the document has now: it may have been opened for that just before.
+      sync.remote(revision.peek());
+      void sync.flush().then(() => {
+        view.dispatch({ changes: mergedChange(unsent, view.state.doc.toString(), isWhole), scrollIntoView: true });
+        return sync.flush().then(() => sync.unsentText() === null && forgetUnsent(unsent));
+      });
     }),
     effect(() => sync.remote(revision.value)),
     effect(() => showDiagnostics(view, documentState.value?.diagnostics ?? [])),

@@ -39,8 +39,27 @@ export function asOne(changes: ChangeSet, before: Text): { from: number; to: num
   return { from, to, insert: after.sliceString(from, to + after.length - before.length) };
 }
 
+/** A short name of a text, by which it is known again (cyrb53, by bryc). */
+export function fingerprint(text: string): string {
+  let a = 0xdeadbeef;
+  let b = 0x41c6ce57;
+  for (let i = 0; i < text.length; i++) {
+    const code = text.charCodeAt(i);
+    a = Math.imul(a ^ code, 2654435761);
+    b = Math.imul(b ^ code, 1597334677);
+  }
+  a = Math.imul(a ^ (a >>> 16), 2246822507) ^ Math.imul(b ^ (b >>> 13), 3266489909);
+  b = Math.imul(b ^ (b >>> 16), 2246822507) ^ Math.imul(a ^ (a >>> 13), 3266489909);
+  return (4294967296 * (2097151 & b) + (a >>> 0)).toString(36);
+}
+
+// The first is that of the file, mostly; of the others, a server that was gone comes back with one of the last.
+const mostPassed = 1000;
+
 export class TextSync {
   private unsent: ChangeSet;
+  /** Which texts the server has had. */
+  private passed: string[];
   /** What is on its way to the server: it comes before what is unsent. */
   private sent: ChangeSet | null = null;
   private working: Promise<void> | null = null;
@@ -55,6 +74,7 @@ export class TextSync {
     private failed: (error: unknown) => void,
   ) {
     this.unsent = ChangeSet.empty(base.length);
+    this.passed = [fingerprint(base.toString())];
   }
 
   /** The user changed what is shown. */
@@ -75,10 +95,10 @@ export class TextSync {
     void this.work();
   }
 
-  /** The server's text as far as it is known, and what it should be; null where the server has it all. */
-  unsentText(): { base: string; text: string } | null {
+  /** The server's text as far as it is known, which it has had, and what it should be; null where the server has it all. */
+  unsentText(): { base: string; text: string; passed: string[] } | null {
     const own = this.sent?.compose(this.unsent) ?? this.unsent;
-    return own.empty ? null : { base: this.base.toString(), text: own.apply(this.base).toString() };
+    return own.empty ? null : { base: this.base.toString(), text: own.apply(this.base).toString(), passed: this.passed };
   }
 
   /** Ends when the server knows all that was typed. */
@@ -112,8 +132,7 @@ export class TextSync {
       if (answer.text !== undefined) {
         this.take({ revision: answer.revision, text: answer.text }, sent);
       } else {
-        this.base = sent.apply(this.base);
-        this.revision = answer.revision;
+        this.become(sent.apply(this.base), answer.revision);
       }
     } catch (error) {
       this.unsent = sent.compose(this.unsent);
@@ -129,8 +148,12 @@ export class TextSync {
     const found = difference(this.base.toString(), answer.text);
     const theirs = found ? ChangeSet.of(found, this.base.length) : ChangeSet.empty(this.base.length);
     this.unsent = own.map(theirs);
-    this.base = theirs.apply(this.base);
-    this.revision = answer.revision;
+    this.become(theirs.apply(this.base), answer.revision);
     if (found) this.view.apply(theirs.map(own, true));
+  }
+  private become(base: Text, revision: number): void {
+    [this.base, this.revision] = [base, revision];
+    this.passed.push(fingerprint(base.toString()));
+    if (this.passed.length > mostPassed) this.passed.splice(1, 1);
   }
 }

@@ -7,8 +7,8 @@ import type { MenuItem } from "../ui/Menu";
 import { chooseFile } from "./choose";
 import { relativeTo } from "./paths";
 
-/** Adds a thing to the scene, at a pixel of the picture or where one looks; one that cannot be without a file asks for it first. */
-export function add(family: string, type: CatalogueType, at?: Pixel): void {
+/** Adds a thing to the scene, at a pixel of the picture or where one looks; one that cannot be without a file asks for it first, and returns false. */
+export function add(family: string, type: CatalogueType, at?: Pixel): boolean {
   const put = (file?: string) => {
     rightTab.value = family === "environment" ? "world" : "object";
     addThing(family, type.name, file, at);
@@ -16,6 +16,7 @@ export function add(family: string, type: CatalogueType, at?: Pixel): void {
   const needsFile = type.parameters.some((p) => p.required && kindOf(p) === "file");
   if (needsFile) chooseFile((path) => put(relativeTo(documentState.value?.path ?? null, path)));
   else put();
+  return !needsFile;
 }
 
 /** What can be added of a family, as items of a menu. */
@@ -25,5 +26,5 @@ export function addItems(family: string, at?: Pixel): MenuItem[] {
   return all
     .filter((type) => type.addedAs.includes(family) && isPossible(type))
     .sort((a, b) => a.addedAs.length - b.addedAs.length)
-    .map((type) => ({ label: spaced(type.name), tip: type.summary, run: () => add(family, type, at) }));
+    .map((type) => ({ label: spaced(type.name), tip: type.summary, run: () => void add(family, type, at) }));
 }

@@ -3,7 +3,7 @@
 import { signal } from "@preact/signals";
 import { getBlob, get, post, Refusal, token, upload } from "../api/client";
 import { attempt, say } from "../state/messages";
-import { dialog, documentState, opening, isOwnView } from "../state/store";
+import { dialog, documentState, left, opening, isOwnView } from "../state/store";
 import { leftOpen, narrowWindow } from "../state/settings";
 import { flushEditor } from "../editor/flush";
 import { texts } from "../texts";
@@ -55,7 +55,15 @@ export const openScene = (source: Source) =>
       if (narrowWindow.matches) leftOpen.value = false;
     }),
   );
-export const newScene = () => attempt(() => leaving((discard) => post("file/new", { discard })));
+export const newScene = (then?: () => void) =>
+  attempt(() =>
+    leaving(async (discard) => {
+      const before = documentState.peek()?.document ?? -1;
+      await post("file/new", { discard });
+      await left(before);
+      then?.();
+    }),
+  );
 export const discardRecovery = (id: string) => attempt(() => post("recovery/discard", { id }));
 
 export const openDropped = (file: File) =>

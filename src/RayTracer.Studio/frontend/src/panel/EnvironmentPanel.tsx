@@ -20,7 +20,8 @@ export function EnvironmentPanel() {
     const chosen = findType(known, "environment", name);
     if (!chosen) resetValue(pointer);
     else if (type && !chosen.parameters.some((p) => p.required)) setValue(pointer, retyped(value, chosen, type));
-    else add("environment", chosen);
+    else return add("environment", chosen);
+    return true;
   };
   return (
     <section aria-label={texts.families.environment}>

@@ -9,7 +9,8 @@ import { ColorField } from "./ColorField";
 import type { FieldProps } from "./FieldContext";
 import { NumberRow } from "./NumberRow";
 import { RecordEditor } from "./RecordEditor";
-import { asNumber, findType, isObject, retyped } from "./types";
+import { retype } from "./retype";
+import { asNumber, findType, isObject } from "./types";
 
 const plainColor = "color";
 const plainNumber = "number";
@@ -33,8 +34,8 @@ export function TextureField(props: FieldProps) {
   const choose = (choice: string) => {
     const name = choice.slice(5);
     const type = choice.startsWith("type:") ? findType(known, "texture", name) : null;
-    if (type) setValue(pointer, retyped(effective, type, inPlace));
-    else if (choice === plainNumber) setValue(pointer, asNumber(parameter.default) ?? 0.5);
+    if (type) return retype(pointer, effective, type, inPlace);
+    if (choice === plainNumber) setValue(pointer, asNumber(parameter.default) ?? 0.5);
     else if (choice === plainColor) setValue(pointer, [0.5, 0.5, 0.5]);
     else if (choice) setValue(pointer, name);
   };

@@ -1,13 +1,14 @@
 import { last } from "../json/pointer";
 import { commandButton } from "../state/commands";
-import { duplicate, isGiven, isThing, remove, setValue, withSelection } from "../state/edits";
+import { duplicate, isGiven, isThing, remove, withSelection } from "../state/edits";
 import { dialog, schema, selected } from "../state/store";
 import { texts } from "../texts";
 import { Button } from "../ui/Button";
 import { Select } from "../ui/Select";
 import { showInSource } from "../editor/show";
 import { RecordEditor } from "./RecordEditor";
-import { findType, isObject, kindOf, retyped } from "./types";
+import { retype } from "./retype";
+import { findType, isObject, kindOf } from "./types";
 import { useValue } from "./useValue";
 import { Field } from "./Field";
 
@@ -25,7 +26,7 @@ export function ThingPanel({ pointer, without = ["name"] }: { pointer: string; w
   const types = known.types[answer.family ?? ""] ?? [];
   const change = (name: string) => {
     const chosen = findType(known, answer.family, name);
-    if (chosen) setValue(pointer, retyped(answer.value, chosen, type, answer.family));
+    return !chosen || retype(pointer, answer.value, chosen, type, answer.family);
   };
   return (
     <section class="thing" aria-label={title} data-help={`scene-format#${type.name}`}>

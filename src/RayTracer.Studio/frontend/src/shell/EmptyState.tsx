@@ -15,7 +15,7 @@ export function EmptyState() {
           <p class="quiet">{t.hint}</p>
         </div>
         <Button label={t.open} icon="open" showLabel kind="primary" onClick={() => (dialog.value = "open")} />
-        <Button label={t.new} icon="add" showLabel kind="plain" onClick={newScene} />
+        <Button label={t.new} icon="add" showLabel kind="plain" onClick={() => newScene()} />
         <Button label={t.tour} icon="help" showLabel kind="plain" onClick={() => (tourStep.value = 0)} />
       </div>
       <Gallery />

@@ -60,7 +60,7 @@ const keepPicture = () =>
 const along = (...from: Vec3) => ({ run: () => attempt(() => lookAlong(from)) });
 
 const actions: Record<CommandId, Pick<Command, "run" | "enabled">> = {
-  new: { run: newScene },
+  new: { run: () => newScene() },
   open: { run: () => (dialog.value = "open") },
   gallery: { run: () => ((leftOpen.value = true), (leftTab.value = "gallery")) },
   save: { run: () => saveScene() },

@@ -17,6 +17,14 @@ export const known = (version: number) =>
     });
   });
 
+/** Ends when the page shows another document than one, or the server is gone. */
+export const left = (document: number) =>
+  new Promise<void>((done) => {
+    const stop = effect(() => {
+      if (connection.value !== "open" || studio.value?.document.document !== document) queueMicrotask(() => (stop(), done()));
+    });
+  });
+
 // Slices: what reads one is drawn again only if that one changes.
 const slice = <T>(pick: (state: StudioState) => T) => {
   let before: T | null = null;
@@ -98,8 +106,8 @@ export const compared = computed<Comparison>(() => {
 /** Where the wipe is: 0 is the left edge. */
 export const wipe = signal(0.5);
 
-/** Text typed into a window whose server has gone, which the editor shall merge into the document's. */
-export const mergeWanted = signal<Unsent | null>(null);
+/** Text typed into a window whose server has gone, which the editor shall merge into the document's, or put in its place. */
+export const mergeWanted = signal<{ unsent: Unsent; isWhole: boolean } | null>(null);
 
 /** Whether the picture is shown alone, without bars and panes. */
 export const pictureAlone = signal(false);
