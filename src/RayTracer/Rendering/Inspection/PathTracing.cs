@@ -13,7 +13,7 @@ public sealed class PathTracing(Scene scene)
 {
     private const int StreamSize = SampleAccumulator.MaxSamples;
 
-    /// <summary>Where paths come from lights too: the number of ways that are told apart, the brightest ones.</summary>
+    /// <summary>Where paths come from lights too: the number of ways that are listed, the brightest ones.</summary>
     public int MostWays { get; init; } = 64;
 
     /// <summary>Follows some samples of a pixel.</summary>

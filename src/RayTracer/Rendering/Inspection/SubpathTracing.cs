@@ -22,7 +22,7 @@ internal sealed class SubpathTracing
     /// <param name="scene">A scene whose integrator traces light.</param>
     /// <param name="x">The pixel's column.</param>
     /// <param name="y">The pixel's row.</param>
-    /// <param name="mostWays">The number of ways that are told apart: the brightest ones.</param>
+    /// <param name="mostWays">The number of ways that are listed: the brightest ones.</param>
     public SubpathTracing(Scene scene, int x, int y, int mostWays)
     {
         _mostWays = mostWays;
