@@ -33,6 +33,9 @@ public sealed record InspectedPath(int Sample, Rgb Radiance, IReadOnlyList<Inspe
 public sealed record InspectedWay(
     int LightVertices, int CameraVertices, string Event, Rgb Radiance, float Weight, IReadOnlyList<string> Things, IReadOnlyList<Vector3> Points)
 {
+    /// <summary>The name of the light; empty where it is not known.</summary>
+    public string Light { get; init; } = "";
+
     /// <summary>The factors whose product, with the weight, is the radiance; none where they are not known.</summary>
     public IReadOnlyList<InspectedFactor> Factors { get; init; } = [];
 }
@@ -91,12 +94,16 @@ public sealed record InspectedVertex(
 /// <param name="ScatterPdf">The density with which the direction was chosen; null where nothing else finds this light.</param>
 /// <param name="LightPdf">The density with which the vertex before asks for this direction.</param>
 /// <param name="Weight">The share of meeting it; 0 where it has been counted before.</param>
-public sealed record InspectedEmission(string Name, Rgb Radiance, float? ScatterPdf, float? LightPdf, float Weight);
+public sealed record InspectedEmission(string Name, Rgb Radiance, float? ScatterPdf, float? LightPdf, float Weight)
+{
+    /// <summary>True if the vertex before asks for this light too, or need not.</summary>
+    public bool IsFoundOtherwise { get; init; }
+}
 
 /// <summary>A point of a light that is asked, for people. It adds throughput · radiance · BSDF · cosine · transmittance · weight / pdf.</summary>
 /// <param name="Name">The name of the light.</param>
 /// <param name="Pointer">The light in the text; null where it is not there.</param>
-/// <param name="Outcome">"arrives", "unlit", "behind", "leaks", "notScattered" or "blocked".</param>
+/// <param name="Outcome">"arrives", "unlit", "outsideCone", "outsidePicture", "behind", "leaks", "notScattered" or "blocked".</param>
 /// <param name="Blocker">The name of what is in the way; null where nothing is, or it is not known.</param>
 /// <param name="BlockerPointer">That in the text.</param>
 /// <param name="Radiance">The radiance that it sends; of lights without extent, the irradiance.</param>

@@ -1,5 +1,6 @@
 using System.Numerics;
 using RayTracer.Description;
+using RayTracer.Lights;
 using RayTracer.Numerics;
 using RayTracer.Rendering;
 using RayTracer.Scenes;
@@ -15,6 +16,10 @@ public sealed class PathInspector(PictureView view, TextbookReading textbook) : 
 
     // Where light paths are traced, those of the whole picture are, for each sample.
     private const int MostWithLight = 4;
+
+    // Nobody reads so many, but their sum is that of nearly all.
+    private const int MostSummedWays = 4096;
+    private const int MostWays = 64;
 
     /// <inheritdoc/>
     public static PathInspector Of(StudioSession session) => new(session.View, session.Part<TextbookReading>());
@@ -44,12 +49,12 @@ public sealed class PathInspector(PictureView view, TextbookReading textbook) : 
     public PixelSummary Summarize(int x, int y)
     {
         ViewportScene shown = view.RequireShown();
-        return PixelSummary.Of([.. Trace(shown, x, y, Check(shown, x, y, 0, MostPaths))], shown.Scene.Render.Integrator);
+        return PixelSummary.Of([.. Trace(shown, x, y, Check(shown, x, y, 0, MostPaths), MostSummedWays)], shown.Scene.Render.Integrator);
     }
 
-    private IEnumerable<InspectedPath> Trace(ViewportScene shown, int x, int y, SampleRange samples) =>
+    private IEnumerable<InspectedPath> Trace(ViewportScene shown, int x, int y, SampleRange samples, int mostWays = MostWays) =>
         textbook.Read(shown) is { } renderer ? new TextbookPaths(shown, renderer).Trace(x, y, samples)
-            : new PathTracing(shown.Scene).Trace(x, y, samples).Select(p => Of(shown, p));
+            : new PathTracing(shown.Scene) { MostWays = mostWays }.Trace(x, y, samples).Select(p => Of(shown, p));
 
     internal static SampleRange Check(ViewportScene shown, int x, int y, int first, int count)
     {
@@ -70,12 +75,28 @@ public sealed class PathInspector(PictureView view, TextbookReading textbook) : 
         InspectedVertex camera = new(
             "camera", start.Origin, null, "/camera", "camera", "", Rgb.White, Rgb.White, null, Difference(start.Before, default), new(
                 Difference(default, default), Difference(default, default), Difference(start.Before, default)));
-        InspectedVertex[] vertices = [camera, .. path.Vertices.Select(v => Of(shown, v))];
-        return new(path.Sample, path.Radiance, vertices, [.. path.Ways.Select(w => Of(shown, w))], PathSentence.Of(path.Radiance, vertices, shown.Scene.Render.Integrator));
+        InspectedVertex[] vertices = [camera, .. path.Vertices.Select((v, i) => Of(shown, v, Before(shown, path.Vertices, i)))];
+        InspectedWay[] ways = [.. path.Ways.Select(w => Of(shown, w, path.Vertices))];
+        string sentence = ways.Length > 0
+            ? PathSentence.OfWay(ways[0], [.. path.Ways[0].LightPath.Select(v => (NameOf(shown, v), v))], vertices, path.Vertices.ToList().FindLastIndex(v => v.Number + 2 == ways[0].CameraVertices) + 1)
+            : PathSentence.Of(path.Radiance, vertices, shown.Scene.Render.Integrator);
+        return new(path.Sample, path.Radiance, vertices, ways, sentence);
+    }
+
+    // The vertex at which a ray was turned last: boundaries of media that it crosses leave its number as it is.
+    private static PathVertex? Before(ViewportScene shown, IReadOnlyList<PathVertex> vertices, int at)
+    {
+        int i = at - 1;
+        while (i >= 0 && shown.Scene.Render.Integrator is not ReportIntegrator && vertices[i].Number == vertices[at].Number)
+        {
+            i--;
+        }
+
+        return i < 0 ? null : vertices[i];
     }
 
     // From where both parts are joined back to the light.
-    private static InspectedWay Of(ViewportScene shown, TracedWay way)
+    private static InspectedWay Of(ViewportScene shown, TracedWay way, IReadOnlyList<PathVertex> vertices)
     {
         IEnumerable<Vector3?> points = way.LightPath.Count == 0
             ? [way.CameraEnd, way.LightEnd]
@@ -83,6 +104,7 @@ public sealed class PathInspector(PictureView view, TextbookReading textbook) : 
         IReadOnlyList<string> things = [.. way.LightPath.Select(v => NameOf(shown, v))];
         return new(way.LightVertices, way.CameraVertices, EventOf(way), way.Radiance, way.Weight, things, [.. points.OfType<Vector3>().Where(IsFinite)])
         {
+            Light = LightName(shown, way.Light) ?? NameOf(shown, vertices.Last(v => v.Number + 2 == way.CameraVertices)),
             Factors = [.. way.Factors.Select(f => new InspectedFactor(f.Kind, f.Value, f.Divides))],
         };
     }
@@ -98,7 +120,7 @@ public sealed class PathInspector(PictureView view, TextbookReading textbook) : 
         _ => "connected",
     };
 
-    private static InspectedVertex Of(ViewportScene shown, PathVertex v)
+    private static InspectedVertex Of(ViewportScene shown, PathVertex v, PathVertex? before)
     {
         SurfaceName surface = v.Primitive < 0 ? SurfaceName.None : new(v.Primitive, v.Instance);
         MaterialDescription? material = v.Primitive < 0 ? null : shown.Scene.MaterialSourceOf(v.Primitive);
@@ -115,7 +137,11 @@ public sealed class PathInspector(PictureView view, TextbookReading textbook) : 
             End = NameOf(v.End),
             Passed = v.Passed,
             Dispersion = v.Dispersion,
-            Emission = v.Emission is not { } met ? null : new(LightName(shown, met.Light) ?? NameOf(shown, v), met.Radiance, met.ScatterPdf, met.LightPdf, met.Weight),
+            Emission = v.Emission is not { } met ? null : new(LightName(shown, met.Light) ?? NameOf(shown, v), met.Radiance, met.ScatterPdf, met.LightPdf, met.Weight)
+            {
+                // A background of one colour is found by scattering as well as it would be by asking.
+                IsFoundOtherwise = (met.Light >= 0 && before is { Lights.Count: > 0 }) || (v.Position is null && shown.Scene.Environment is null),
+            },
             Lights = [.. v.Lights.Select(l => Of(shown, v, l))],
         };
     }
@@ -126,7 +152,7 @@ public sealed class PathInspector(PictureView view, TextbookReading textbook) : 
         Vector3 point = v.Position!.Value + (light.Direction * MathF.Min(light.Distance, 2 * shown.Extent.Size));
         string? blocker = light.Blocker == SurfaceName.None ? null : NameOf(shown.Scene.SourceOf(light.Blocker.Primitive, light.Blocker.Instance));
         return new(
-            LightName(shown, light.Light)!, shown.PointerOf(source), NameOf(light.Outcome), blocker, shown.PointerOf(light.Blocker), light.Radiance, light.Pdf, light.ScatterPdf,
+            LightName(shown, light.Light)!, shown.PointerOf(source), OutcomeOf(light, source), blocker, shown.PointerOf(light.Blocker), light.Radiance, light.Pdf, light.ScatterPdf,
             light.Bsdf, light.Cosine, light.Weight, light.Transmittance, light.Contribution, IsFinite(point) ? point : null);
     }
 
@@ -134,9 +160,11 @@ public sealed class PathInspector(PictureView view, TextbookReading textbook) : 
 
     internal static string NameOf(ShapeDescription? thing) => thing is null ? "" : thing.Name.Length > 0 ? thing.Name : TypeOf(thing);
 
-    private static string NameOf(LightOutcome outcome) => outcome switch
+    private static string OutcomeOf(TracedLight light, ShapeDescription? source) => light.Outcome switch
     {
         LightOutcome.Arrives => "arrives",
+        LightOutcome.Unlit when source is SpotLightDescription => "outsideCone",
+        LightOutcome.Unlit when source is ProjectorLightDescription => "outsidePicture",
         LightOutcome.Unlit => "unlit",
         LightOutcome.Behind => "behind",
         LightOutcome.Leaks => "leaks",
@@ -150,6 +178,7 @@ public sealed class PathInspector(PictureView view, TextbookReading textbook) : 
         PathEnd.Roulette => "roulette",
         PathEnd.Dark => "dark",
         PathEnd.Leaks => "leaks",
+        PathEnd.Gathered => "gathered",
         _ => "",
     };
 

@@ -1,6 +1,7 @@
 using System.Numerics;
 using RayTracer.Description;
 using RayTracer.Numerics;
+using RayTracer.Rendering;
 
 namespace RayTracer.Session;
 
@@ -28,10 +29,13 @@ internal static class PathSentence
         }
 
         (double emitted, double ambient, double direct) = (Luminance(at.Parts.Emitted), Luminance(at.Parts.Ambient), Luminance(at.Parts.Direct));
-        string way = Way(vertices, brightest, isMet: emitted >= Math.Max(ambient, direct));
-        if (emitted >= Math.Max(ambient, direct))
+        InspectedLight? light = at.Lights.MaxBy(l => l.Contribution.Luminance);
+        bool isMet = emitted >= Math.Max(ambient, direct);
+        Vector3? source = isMet ? at.Position : ambient > direct ? null : light?.Point;
+        string way = Way(source, Back(vertices, isMet ? brightest - 1 : brightest, !isMet), vertices[0].Position);
+        if (isMet)
         {
-            string met = at.Event == "miss" ? "Light of the surroundings" : $"Light of {Named(at.Emission?.Name ?? at.Name)}";
+            string met = $"Light of {Lamp(at.Emission?.Name ?? at.Name)}";
             return way.Length == 0 ? $"{met} was seen directly." : $"{met} {way}{(IsByChance(vertices, brightest, integrator) ? "; paths find it by chance only, so this pixel is noisy." : ".")}";
         }
 
@@ -40,8 +44,7 @@ internal static class PathSentence
             return $"Ambient light {way}.";
         }
 
-        InspectedLight? light = at.Lights.MaxBy(l => l.Contribution.Luminance);
-        return light is { Contribution.IsBlack: false } ? $"Light of {Named(light.Name)} {way}." : $"Paths from the lights were joined with this path: their light {way}.";
+        return light is { Contribution.IsBlack: false } ? $"Light of {Lamp(light.Name)} {way}." : $"Paths from the lights were joined with this path: their light {way}.";
     }
 
     /// <summary>Whether a path met a light that nothing else looks for.</summary>
@@ -50,19 +53,36 @@ internal static class PathSentence
     /// <param name="integrator">The integrator.</param>
     public static bool IsByChance(IReadOnlyList<InspectedVertex> vertices, int met, Integrator integrator) =>
         !integrator.Has(IntegratorTraits.TracesLight) && vertices.Take(met).Any(v => v.Event == "diffuse")
-        && (vertices[met].Emission is { ScatterPdf: null } || vertices[met].Event == "miss");
+        && vertices[met].Emission is { ScatterPdf: null, IsFoundOtherwise: false };
 
-    // From the light to the camera.
-    private static string Way(IReadOnlyList<InspectedVertex> vertices, int from, bool isMet)
+    /// <summary>As <see cref="Of"/>, for the brightest of several ways that are made of a part from a light and one from the camera.</summary>
+    /// <param name="way">The way.</param>
+    /// <param name="lightPart">The vertices from the light, that on it left out; names beside them.</param>
+    /// <param name="vertices">The vertices of the camera's path.</param>
+    /// <param name="end">The number of the last one that the way has.</param>
+    public static string OfWay(InspectedWay way, IReadOnlyList<(string Name, PathVertex Vertex)> lightPart, IReadOnlyList<InspectedVertex> vertices, int end)
+    {
+        // Of a merge both last vertices are one, and where the camera's path meets the light, its last vertex is the light.
+        IEnumerable<Stop> fromLight = lightPart.Take(lightPart.Count - (way.Event == "merged" ? 1 : 0))
+            .Select(v => new Stop(v.Name, v.Vertex.Normal, v.Vertex.Position!.Value, v.Vertex.Event == PathEvent.Specular));
+        IEnumerable<Stop> toCamera = Back(vertices, way.Event == "met" ? end - 1 : end, isAsked: way.Event != "met");
+        Vector3? from = lightPart.Count > 0 ? lightPart[0].Vertex.Origin : way.Event == "met" ? vertices[end].Position : way.Points[^1];
+        string chain = Way(from, [.. fromLight, .. toCamera], vertices[0].Position);
+        return chain.Length == 0 ? $"Light of {Lamp(way.Light)} was seen directly." : $"Light of {Lamp(way.Light)} {chain}.";
+    }
+
+    // From the light, where its place is known, to the camera.
+    private static string Way(Vector3? from, IReadOnlyList<Stop> stops, Vector3 eye)
     {
         List<(string Verb, List<string> Things)> steps = [];
-        for (int i = isMet ? from - 1 : from; i > 0; i--)
+        for (int i = 0; i < stops.Count; i++)
         {
-            InspectedVertex v = vertices[i];
-            bool goesOn = isMet || i < from;
-            bool passes = goesOn && v.Normal is { } normal && Vector3.Dot(vertices[i + 1].Position - v.Position, normal) < 0;
-            string verb = v.Name == "medium" ? "was scattered by" : passes ? "came through" : goesOn && v.Event == "specular" ? "was mirrored by" : "was reflected by";
-            string thing = v.Name == "medium" ? "the medium" : Named(v.Name);
+            (string name, Vector3? normal, Vector3 at, bool isSpecular) = stops[i];
+            Vector3? before = i > 0 ? stops[i - 1].Position : from;
+            Vector3 after = i + 1 < stops.Count ? stops[i + 1].Position : eye;
+            bool passes = normal is { } up && before is { } source && Vector3.Dot(source - at, up) * Vector3.Dot(after - at, up) < 0;
+            string verb = name == "medium" ? "was scattered by" : passes ? "came through" : isSpecular ? "was mirrored by" : "was reflected by";
+            string thing = name == "medium" ? "the medium" : Named(name);
             if (steps.Count == 0 || steps[^1].Verb != verb)
             {
                 steps.Add((verb, []));
@@ -77,6 +97,10 @@ internal static class PathSentence
         return Listed([.. steps.Select(s => $"{s.Verb} {Listed(s.Things)}")]);
     }
 
+    // Where the camera's path asks for light, it need not go on as a mirror would: no vertex is one there.
+    private static IReadOnlyList<Stop> Back(IReadOnlyList<InspectedVertex> vertices, int from, bool isAsked) =>
+        [.. Enumerable.Range(1, Math.Max(0, from)).Reverse().Select(i => Stop.At(vertices[i]) is var stop && isAsked && i == from ? stop with { IsSpecular = false } : stop)];
+
     private static string Listed(List<string> parts) => parts.Count < 2 ? string.Concat(parts) : $"{string.Join(", ", parts.SkipLast(1))} and {parts[^1]}";
 
     private static string Nothing(IReadOnlyList<InspectedVertex> vertices)
@@ -90,6 +114,7 @@ internal static class PathSentence
             _ => last.End switch
             {
                 "roulette" => $"chance ended the path at {Named(last.Name)}, as it carried little",
+                "gathered" => $"no path from the lights came to {Named(last.Name)}",
                 "depth" => $"the path was as long as the scene allows at {Named(last.Name)}",
                 _ => $"the path ended at {Named(last.Name)}",
             },
@@ -106,4 +131,12 @@ internal static class PathSentence
     private static double Luminance(IReadOnlyList<double> c) => (0.2126 * c[0]) + (0.7152 * c[1]) + (0.0722 * c[2]);
 
     private static string Named(string name) => $"*{name}*";
+
+    private static string Lamp(string name) => name is "surroundings" or "background" ? "the surroundings" : Named(name);
+
+    // Where a path is turned.
+    private readonly record struct Stop(string Name, Vector3? Normal, Vector3 Position, bool IsSpecular)
+    {
+        public static Stop At(InspectedVertex v) => new(v.Name, v.Normal, v.Position, v.Event == "specular");
+    }
 }

@@ -37,7 +37,7 @@ public sealed record PixelSummary(
         string first = path.Vertices.Count > 1 ? path.Vertices[1].Name : "camera";
         if (path.Ways.Count > 0)
         {
-            return path.Ways.Select(w => new Portion(path.Sample, w.Radiance.Luminance, "all lights", first, $"{w.LightVertices + w.CameraVertices - (w.Event == "merged" ? 2 : 1)}", w.Event));
+            return path.Ways.Select(w => new Portion(path.Sample, w.Radiance.Luminance, w.Light.Length > 0 ? w.Light : "all lights", first, $"{w.LightVertices + w.CameraVertices - (w.Event == "merged" ? 2 : 1)}", w.Event));
         }
 
         return path.Vertices.SelectMany((v, i) => OfVertex(path, v, i, first, integrator));

@@ -23,7 +23,7 @@ internal static class KeyList
         int at = list.ToList().FindIndex(k => FrameTimes.IsAt(TimeOf(k), frame, rate));
         if (at >= 0)
         {
-            return text.Set(JsonPointer.Append(JsonPointer.Append(keys, at), "value"), value);
+            return text.SetText(JsonPointer.Append(JsonPointer.Append(keys, at), "value"), JsonLayout.OneLine(value));
         }
 
         float time = FrameTimes.TimeOf(frame, rate);

@@ -165,7 +165,12 @@ public sealed class Timeline(SceneDocument document, PictureView view) : IDispos
 
         value = value is not null ? value.DeepClone() : place.Node is { } written ? JsonValues.Of(written) : JsonValues.Of(place.Parameter!, place.Parameter!.Default);
         System.Text.Json.Nodes.JsonObject key = new() { ["time"] = FrameTimes.TimeOf(frame, FrameTimes.Rate(text.Root)), ["value"] = value };
-        return text.Set("/animation/-", new System.Text.Json.Nodes.JsonObject { ["property"] = path, ["keys"] = new System.Text.Json.Nodes.JsonArray(key) });
+        string track = JsonLayout.OneLine(new System.Text.Json.Nodes.JsonObject { ["property"] = path, ["keys"] = new System.Text.Json.Nodes.JsonArray(key) });
+        string indent = JsonTrivia.IndentUnit(text);
+
+        // Each track has a line, as in scenes that people write.
+        return text.Root.Find("animation") is null or { Kind: JsonKind.Array, Items.Count: 0 }
+            ? text.SetText("/animation", $"[\n{indent}{indent}{track}\n{indent}]") : text.SetText("/animation/-", track);
     }
 
     private static JsonNode At(JsonText text, int frame) => FrameTimes.Read(SceneReader.ReadText(text.Text, ""), frame).Root!;

@@ -1,5 +1,6 @@
 using RayTracer.Numerics;
 using RayTracer.Rendering;
+using RayTracer.Scenes;
 using RayTracer.Session;
 
 namespace RayTracer.Session.Tests;
@@ -132,6 +133,83 @@ public sealed class PathInspectorTests
         Assert.Contains(sentences, s => s.StartsWith("Light of *", StringComparison.Ordinal) && s.Contains("was reflected by *", StringComparison.Ordinal));
         Assert.Contains(sentences, s => s.Contains("came through *glass ball*", StringComparison.Ordinal));
         Assert.All(sentences, s => Assert.EndsWith(".", s));
+    }
+
+    [Theory]
+    [InlineData("bidirectional")]
+    [InlineData("vcm")]
+    [InlineData("light")]
+    [InlineData("photons")]
+    public async Task Where_light_is_traced_too_sentences_and_sums_name_the_lights(string integrator)
+    {
+        using TestSession test = new();
+        await test.Open(await Shipped("report/scene2.json", integrator));
+        HashSet<string> lights = [];
+        List<InspectedPath> paths = [];
+        foreach ((int x, int y) in Pixels())
+        {
+            paths.AddRange((await Inspect(test, x, y)).Samples);
+            lights.UnionWith(test.Session.Part<PathInspector>().Summarize(x, y).Lights.Select(l => l.Name));
+        }
+
+        string[] lamps = ["left front lamp", "right front lamp", "left back lamp", "right back lamp"];
+        Assert.Empty(lights.Except([.. lamps, "background", "surroundings"]));
+        Assert.True(lights.Intersect(lamps).Count() > 1);
+        Assert.All(paths, p => Assert.StartsWith(p.Ways.Count > 0 ? "Light of " : "No light came: ", p.Sentence));
+        Assert.Contains(paths, p => p.Sentence.Contains(" lamp* was reflected by *floor*", StringComparison.Ordinal));
+
+        // The lens is connected with no place behind glass.
+        Assert.True(integrator == "light" || paths.Exists(p => p.Sentence.Contains("came through *glass ball*", StringComparison.Ordinal)));
+
+        // What is met has the weight with which it counts, and what nobody asked is not blocked.
+        InspectedVertex[] vertices = [.. paths.SelectMany(p => p.Vertices)];
+        Assert.All(vertices.Where(v => v.Emission is not null), v =>
+            Assert.Equal(v.Parts.Emitted[1], v.Throughput.G * v.Emission!.Radiance.G * v.Emission.Weight, 1e-6 + (1e-3 * v.Parts.Emitted[1])));
+        Assert.All(vertices.SelectMany(v => v.Lights).Where(l => l.Outcome == "blocked"), l => Assert.NotNull(l.Blocker));
+        Assert.Equal(integrator is "light" or "photons", vertices.Any(v => v.End == "gathered"));
+    }
+
+    [Fact]
+    public async Task Light_of_a_sky_is_found_by_chance_only_through_glass()
+    {
+        using TestSession test = new();
+        await test.Open(await Shipped("animation/01-turn.json", "path"));
+        List<string> sentences = [];
+        foreach ((int x, int y) in Pixels())
+        {
+            sentences.AddRange((await Inspect(test, x, y)).Samples.Select(s => s.Sentence));
+        }
+
+        Assert.Contains(sentences, s => s == "Light of the surroundings was reflected by *plane*.");
+        Assert.All(sentences.Where(s => s.Contains("by chance", StringComparison.Ordinal)), s => Assert.Contains("*glass ball*", s, StringComparison.Ordinal));
+    }
+
+    [Fact]
+    public async Task A_spot_says_what_is_outside_of_its_cone_and_leaves_are_shone_through()
+    {
+        using TestSession test = new();
+        await test.Open("""
+            {
+              "camera": { "position": [0, 0, 5], "lookAt": [0, 0, 0], "fieldOfView": 40 },
+              "render": { "width": 60, "height": 60, "samplesPerPixel": 1, "integrator": "path" },
+              "shapes": [{ "type": "rectangle", "name": "leaf", "corner": [-4, -4, 0], "edgeU": [8, 0, 0], "edgeV": [0, 8, 0], "material": { "type": "translucent" } }],
+              "lights": [{ "type": "spot", "position": [0, 0, -3], "direction": [0, 0, 1], "intensity": 50, "cutoffAngle": 15 }]
+            }
+            """);
+        Assert.Equal("Light of *spot* came through *leaf*.", (await test.Session.Part<PathInspector>().Inspect(30, 30, 0, 1)).Samples[0].Sentence);
+        InspectedPath outside = (await test.Session.Part<PathInspector>().Inspect(2, 2, 0, 1)).Samples[0];
+        Assert.Equal("outsideCone", Assert.Single(outside.Vertices[1].Lights).Outcome);
+    }
+
+    private static async Task<string> Shipped(string path, string integrator)
+    {
+        string text = await File.ReadAllTextAsync(ProjectFolder.PathOf("scenes", path));
+        JsonText scene = JsonText.Of(text);
+        scene = scene.Root.Find("ambient") is null ? scene : scene.Remove("/ambient");
+
+        // Most of all paths from the lights would be the background's.
+        scene = integrator == "light" ? scene.Set("/background", "black") : scene;
+        return scene.Set("/render/integrator", integrator).Set("/render/width", Size).Set("/render/height", Size).Set("/render/samplesPerPixel", Samples).Text;
     }
 
     private static async Task<InspectedPixel> Inspect(TestSession test, int x, int y)

@@ -184,6 +184,35 @@ public sealed class TimelineTests
     }
 
     [Fact]
+    public async Task Each_track_that_is_made_has_a_line_however_often_its_values_change()
+    {
+        using TestSession test = new();
+        await test.Open("""
+            {
+              "camera": { "position": [0, 1.6, 5.123456], "lookAt": [0, 0.912345, 0] },
+              "shapes": [{ "type": "sphere", "name": "a ball with a very long name, so that its track reaches far to the right", "center": [0.123456, 1.123456, 2.123456] }]
+            }
+            """);
+        foreach (string pointer in new[] { "/camera/position", "/camera/lookAt", "/shapes/0/center" })
+        {
+            test.Session.Timeline.ToggleKey(pointer);
+        }
+
+        test.Session.Timeline.Show(12);
+        test.Session.Edits.Set("/shapes/0/center", new JsonArray(1.234567, 2.345678, 3.456789), "drag");
+        test.Session.Edits.Set("/shapes/0/center", new JsonArray(1.345678, 2.345678, 3.456789), "drag");
+        string text = test.Session.Document.Text;
+        Assert.EndsWith("""
+              "animation": [
+                { "property": "camera.position", "keys": [{ "time": 0, "value": [0, 1.6, 5.123456] }] },
+                { "property": "camera.lookAt", "keys": [{ "time": 0, "value": [0, 0.912345, 0] }] },
+                { "property": "shapes[0].center", "keys": [{ "time": 0, "value": [0.123456, 1.123456, 2.123456] }, { "time": 0.5, "value": [1.345678, 2.345678, 3.456789] }] }
+              ]
+            }
+            """, text.Replace("shapes.a ball with a very long name, so that its track reaches far to the right", "shapes[0]", StringComparison.Ordinal), StringComparison.Ordinal);
+    }
+
+    [Fact]
     public async Task Keyframes_of_a_motion_are_moved_too()
     {
         using TestSession test = new();

@@ -1,3 +1,4 @@
+using System.Text.RegularExpressions;
 using Microsoft.Playwright;
 using static Microsoft.Playwright.Assertions;
 
@@ -59,6 +60,27 @@ public class InsideWalks(ChromiumBrowser browser)
         await Expect(table.GetByRole(AriaRole.Columnheader).Last).ToBeInViewportAsync(new() { Ratio = 1 });
         await Expect(w.Page.Locator(".path-overlay line").First).ToBeAttachedAsync();
         await w.Shot("path-equation", isShown: true);
+
+        // What is pointed at in the list or over the picture is marked in the others, too.
+        ILocator asked = table.Locator(".equation li").First;
+        ILocator line = w.Page.Locator(".path-overlay line.asked").First;
+        await asked.HoverAsync();
+        await Expect(line).ToHaveClassAsync(new Regex("marked"));
+        await w.Page.Mouse.MoveAsync(0, 0);
+        await Expect(line).Not.ToHaveClassAsync(new Regex("marked"));
+        await line.DispatchEventAsync("pointerenter");
+        await Expect(asked).ToHaveClassAsync(new Regex("pointed"));
+        await w.Page.Locator(".path-overlay circle.grip").Nth(1).HoverAsync();
+        await Expect(table.GetByRole(AriaRole.Row).Filter(new() { Has = w.Button("Vertex 2: the equation") })).ToHaveClassAsync(new Regex("pointed"));
+        ILocator other = w.Page.GetByRole(AriaRole.List, new() { Name = "Samples" }).GetByRole(AriaRole.Button).First;
+        await other.HoverAsync();
+        await Expect(w.Page.Locator(".path-overlay g.pointed")).ToHaveCountAsync(1);
+
+        // The link is of use on a slide, which knows no secret: another window gives it.
+        IPage slide = await w.Page.Context.NewPageAsync();
+        await slide.GotoAsync(w.Server.Address + "#pixel=40,90&sample=3");
+        await Expect(slide.GetByRole(AriaRole.Region, new() { Name = "Vertices of the path" }).GetByText("Sample 3", new() { Exact = true })).ToBeVisibleAsync();
+        await slide.CloseAsync();
 
         await w.Button("All samples").ClickAsync();
         await Expect(table.GetByText("By how it was found")).ToBeVisibleAsync();

@@ -128,7 +128,7 @@ internal sealed class TextbookPaths(ViewportScene shown, Renderer renderer)
             Cosine = (float)(taken?.Cosine ?? 0),
             Survival = taken is null ? 1 : (float)v.Survival,
             End = v.IsHit && taken is null ? v.Survival < 1 ? "roulette" : v.Offered.Count > 0 ? "depth" : "" : "",
-            Emission = v.Share > 0 ? new(NameOf(v), Single(v.Radiance), null, null, (float)v.Share) : null,
+            Emission = v.Share > 0 ? new(NameOf(v), Single(v.Radiance), null, null, (float)v.Share) { IsFoundOtherwise = v.Before is { Lights.Count: > 0 } } : null,
             Lights = [.. v.Lights.Select(l => Of(v, l))],
         };
     }

@@ -1,6 +1,6 @@
 import { effect } from "@preact/signals";
 import { render } from "preact";
-import { sayGoodbye } from "./api/client";
+import { sayGoodbye, shareToken } from "./api/client";
 import { followAddress } from "./inside/address";
 import { App } from "./shell/App";
 import { follow } from "./state/follow";
@@ -17,7 +17,11 @@ import "./styles/inside.css";
 import "./styles/timeline.css";
 import "./styles/dialogs.css";
 
+// Who comes by a link wants to see what it leads to.
+const hasTarget = location.hash.length > 1;
+
 reportFaults();
+shareToken();
 follow();
 followKeys();
 followAddress();
@@ -30,7 +34,7 @@ addEventListener("beforeunload", (e) => {
 // New users are shown around, as soon as there is something to see.
 const stopWaiting = effect(() => {
   if (!documentState.value || isFresh.value) return;
-  if (!tourSeen.peek()) tourStep.value = 0;
+  if (!tourSeen.peek() && !hasTarget) tourStep.value = 0;
   queueMicrotask(() => stopWaiting());
 });
 

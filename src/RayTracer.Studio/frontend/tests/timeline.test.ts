@@ -5,10 +5,11 @@ import { pretendBrowser } from "./browser";
 let keys: typeof import("../src/timeline/keys");
 let paths: typeof import("../src/timeline/MotionPaths");
 let ruler: typeof import("../src/timeline/Ruler");
+let rowName: typeof import("../src/timeline/KeyRow");
 
 beforeAll(async () => {
   pretendBrowser();
-  [keys, paths, ruler] = await Promise.all([import("../src/timeline/keys"), import("../src/timeline/MotionPaths"), import("../src/timeline/Ruler")]);
+  [keys, paths, ruler, rowName] = await Promise.all([import("../src/timeline/keys"), import("../src/timeline/MotionPaths"), import("../src/timeline/Ruler"), import("../src/timeline/KeyRow")]);
 });
 
 const animated = [
@@ -44,22 +45,60 @@ test("a way has gaps behind the eye", () => {
   expect(paths.pathOf([[0, 1], [2, 3], null, [4, 5]])).toBe("M0.0 1.0L2.0 3.0M4.0 5.0");
 });
 
+const rowOf = (frames: number[]) => ({ keys: "/a/keys", label: "a", pointer: "/a", thing: "/a", isMotion: false, items: frames.map((frame) => ({ frame, ease: "linear", value: 1 })) });
+
+/** A server that moves keys when it is allowed to answer. */
+function pretendServer(frames: number[]) {
+  keys.rows.value = [rowOf(frames)];
+  let now = frames;
+  let answer: () => void = () => undefined;
+  vi.stubGlobal("fetch", (url: string, init: RequestInit) => {
+    if (!url.includes("move")) return Promise.resolve(Response.json({ rows: [rowOf(now)] }));
+    const { keys: [list], frames: by } = JSON.parse(init.body as string) as { keys: { numbers: number[] }[]; frames: number };
+    return new Promise<Response>((resolve) => (answer = () => {
+      now = now.map((f, i) => (list!.numbers.includes(i) ? f + by : f));
+      resolve(Response.json({ revision: 1 }));
+    }));
+  });
+  // All that follows the answer is done before the next task.
+  return async () => {
+    answer();
+    await new Promise((resolve) => setTimeout(resolve));
+  };
+}
+
+const nothingElse = () => new Promise((resolve) => setTimeout(resolve));
+
 test("keys that are chosen while others are moved stay chosen", async () => {
-  const row = { keys: "/a/keys", label: "a", pointer: "/a", thing: null, isMotion: false, items: [0, 48].map((frame) => ({ frame, ease: "linear", value: 1 })) };
-  keys.rows.value = [row] as never;
-  let answer: (response: Response) => void = () => undefined;
-  vi.stubGlobal("fetch", () => new Promise<Response>((resolve) => (answer = resolve)));
   const move = async (meanwhile: () => void) => {
+    const answered = pretendServer([0, 48]);
     keys.chosen.value = new Set([keys.nameOfKey("/a/keys", 48)]);
     keys.moveKeys(-24, false);
+    await nothingElse();
     meanwhile();
-    answer(new Response("{}"));
-    // All that follows the answer is done before the next task.
-    await new Promise((resolve) => setTimeout(resolve));
+    await answered();
     return [...keys.chosen.value];
   };
   expect(await move(() => undefined)).toEqual([keys.nameOfKey("/a/keys", 24)]);
   const other = keys.nameOfKey("/a/keys", 0);
   expect(await move(() => (keys.chosen.value = new Set([other])))).toEqual([other]);
   vi.unstubAllGlobals();
+});
+
+test("keys that are moved again before the answer has come move on, and stay chosen", async () => {
+  const answered = pretendServer([0, 10]);
+  keys.chosen.value = new Set([keys.nameOfKey("/a/keys", 10)]);
+  keys.moveKeys(1, false);
+  keys.moveKeys(1, false);
+  await nothingElse();
+  await answered();
+  await answered();
+  expect(keys.rows.value[0]!.items.map((k) => k.frame)).toEqual([0, 12]);
+  expect([...keys.chosen.value]).toEqual([keys.nameOfKey("/a/keys", 12)]);
+  vi.unstubAllGlobals();
+});
+
+test("the last step of a row's name stands by itself", () => {
+  expect(rowName.partsOfLabel("shapes.ball.transform[0].translate")).toEqual(["shapes.ball.transform[0]", ".translate"]);
+  expect(rowName.partsOfLabel("ball")).toEqual(["", "ball"]);
 });

@@ -59,7 +59,8 @@ internal sealed unsafe class LightQuestions(Scene scene)
             }
 
             FloatW cosine = Vec3W.Dot(sample.Direction, at.Facing);
-            MaskW behind = transmits || _isOfSubpaths ? MaskW.None : cosine <= 0f;
+            MaskW behind = transmits ? MaskW.None : cosine <= 0f;
+            behind = _isOfSubpaths ? behind & IsDark(bsdf) : behind;
             MaskW leaks = _isOfSubpaths ? SurfaceShader.Dropped(at, sample.Direction)
                 : transmits ? isLiteral ? MaskW.None : SurfaceShader.Leaks(at, sample.Direction)
                 : group.MayLeak && !isLiteral ? Vec3W.Dot(sample.Direction, side) <= 0f : MaskW.None;
@@ -146,7 +147,7 @@ internal sealed unsafe class LightQuestions(Scene scene)
     {
         bool isShared = !_isReport && !_lights[light].IsDelta;
         FloatW weight = isShared ? DirectLight.Weight(1f, pdf * sample.InversePdf) : 1f;
-        MaskW dark = (bsdf.R <= 0f) & (bsdf.G <= 0f) & (bsdf.B <= 0f);
+        MaskW dark = IsDark(bsdf);
         for (uint rest = lanes.Bits; rest != 0; rest &= rest - 1)
         {
             int lane = BitOperations.TrailingZeroCount(rest);
@@ -169,6 +170,8 @@ internal sealed unsafe class LightQuestions(Scene scene)
             }));
         }
     }
+
+    private static MaskW IsDark(in RgbW bsdf) => (bsdf.R <= 0f) & (bsdf.G <= 0f) & (bsdf.B <= 0f);
 
     // Where the shadow rays start, for who looks for what is in their way.
     private List<LightQuestion>[] Placed(List<LightQuestion>[] asked, in Vec3W start, in Vec3W normal, in FloatW offset, bool leaves, in FloatW time)

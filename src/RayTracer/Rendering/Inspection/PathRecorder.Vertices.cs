@@ -47,17 +47,21 @@ internal sealed unsafe partial class PathRecorder
         return dispersion;
     }
 
-    private bool AsksLights(PathVertex vertex)
+    private bool AsksLights(PathVertex vertex, uint state)
     {
         Integrator integrator = scene.Render.Integrator;
         return asks && integrator.Has(IntegratorTraits.Light) && (IsReport || vertex.Number + 1 < _maxDepth)
-            && (integrator is not LightTracingIntegrator light || (light.Strategies & Strategies.Lights) != Strategies.None);
+            && (integrator is not LightTracingIntegrator light || (light.Strategies & Strategies.Lights) != Strategies.None) && !IsInPhotons(state);
     }
 
+    // Beyond the first place where they scatter, paths that gather photons ask nothing.
+    private bool IsInPhotons(uint state) =>
+        scene.Render.Integrator is LightTracingIntegrator light && (light.Strategies & (Strategies.Camera | Strategies.Merges)) == Strategies.Merges && (state & PathState.HasScattered) != 0;
+
     // Which of the questions the renderer has answered, and how.
-    private List<LightQuestion> Answer(Path path, List<LightQuestion>[] asked, int lane, PathVertex vertex)
+    private List<LightQuestion> Answer(Path path, List<LightQuestion>[] asked, int lane, PathVertex vertex, uint state)
     {
-        if (asked.Length == 0 || !AsksLights(vertex))
+        if (asked.Length == 0 || !AsksLights(vertex, state))
         {
             return [];
         }
@@ -107,12 +111,14 @@ internal sealed unsafe partial class PathRecorder
     }
 
     // Why a path ends that could have been scattered.
-    private PathEnd EndOf(PathVertex vertex, bool leaks)
+    private PathEnd EndOf(PathVertex vertex, uint state, bool leaks)
     {
+        bool isForLight = scene.Render.Integrator is LightTracingIntegrator { Strategies: Strategies.Seen | Strategies.Camera };
         Rgb left = vertex.Throughput * vertex.Dispersion * vertex.Weight;
         return !IsReport && vertex.Number + 1 >= _maxDepth ? PathEnd.Depth
             : left.R <= 0 && left.G <= 0 && left.B <= 0 ? PathEnd.Dark
             : leaks ? PathEnd.Leaks
+            : asks && (isForLight || IsInPhotons(state)) ? PathEnd.Gathered
             : IsReport || vertex.Number + 1 <= scene.Render.RouletteDepth ? PathEnd.Depth : PathEnd.Roulette;
     }
 

@@ -160,7 +160,7 @@ internal sealed unsafe partial class PathRecorder(Scene scene, bool asks = true)
                 AfterAmbient = path.AfterAmbient,
             };
             path.Emission = Lane(sent, lane) is { IsBlack: false } radiance ? Met(path, vertex, group, stream, index[lane], radiance) : null;
-            path.Add(vertex with { End = met == PathEvent.Ended ? EndOf(vertex, Is(dropped)) : PathEnd.None }, Answer(path, asked, lane, vertex));
+            path.Add(vertex with { End = met == PathEvent.Ended ? EndOf(vertex, stream.State[index[lane]], Is(dropped)) : PathEnd.None }, Answer(path, asked, lane, vertex, stream.State[index[lane]]));
         }
     }
 
@@ -184,7 +184,7 @@ internal sealed unsafe partial class PathRecorder(Scene scene, bool asks = true)
                 Bsdf = goesOn ? new(pdf[lane], pdf[lane], pdf[lane]) : null,
                 Cosine = 1,
             };
-            path.Add(vertex with { End = goesOn ? PathEnd.None : EndOf(vertex, false) }, Answer(path, asked, lane, vertex));
+            path.Add(vertex with { End = goesOn ? PathEnd.None : EndOf(vertex, stream.State[index[lane]], false) }, Answer(path, asked, lane, vertex, stream.State[index[lane]]));
         }
     }
 

@@ -13,6 +13,9 @@ public sealed class PathTracing(Scene scene)
 {
     private const int StreamSize = SampleAccumulator.MaxSamples;
 
+    /// <summary>Where paths come from lights too: the number of ways that are listed, the brightest ones.</summary>
+    public int MostWays { get; init; } = 64;
+
     /// <summary>Follows some samples of a pixel.</summary>
     /// <param name="x">The pixel's column.</param>
     /// <param name="y">The pixel's row.</param>
@@ -27,7 +30,7 @@ public sealed class PathTracing(Scene scene)
         ArgumentOutOfRangeException.ThrowIfGreaterThan(samples.End, scene.Render.SamplesPerPixel, nameof(samples));
         if (scene.Render.Integrator.Has(Description.IntegratorTraits.TracesLight))
         {
-            SubpathTracing subpaths = new(scene, x, y);
+            SubpathTracing subpaths = new(scene, x, y, MostWays);
             return [.. Enumerable.Range(samples.First, samples.Count).Select(subpaths.Trace)];
         }
 
@@ -73,6 +76,9 @@ public sealed record TracedWay(int LightVertices, int CameraVertices, bool IsMer
 {
     /// <summary>The weight: what this way has of such paths.</summary>
     public float Weight => Unweighted.IsBlack ? 0 : Radiance.Luminance / Unweighted.Luminance;
+
+    /// <summary>The light's number, as in <see cref="Scene.SourceOfLight"/>; −1 where no path starts from it or asks it.</summary>
+    public int Light { get; init; } = -1;
 
     /// <summary>The last vertex of the part from the camera; null where that leaves the scene.</summary>
     public Vector3? CameraEnd { get; init; }

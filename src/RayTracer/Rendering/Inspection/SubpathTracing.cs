@@ -9,21 +9,23 @@ namespace RayTracer.Rendering;
 /// </summary>
 internal sealed class SubpathTracing
 {
-    private const int MostWays = 64;
+    private readonly int _mostWays;
     private readonly Tile _pixel;
     private readonly ArrivalLog _log;
     private readonly LightPass _pass;
     private readonly PathRecorder _camera;
     private readonly PathRecorder _light;
-    private readonly Action<uint, int> _followLight;
+    private readonly Func<uint, int, int> _followLight;
     private readonly Wavefront _wavefront;
 
     /// <summary>Prepares.</summary>
     /// <param name="scene">A scene whose integrator traces light.</param>
     /// <param name="x">The pixel's column.</param>
     /// <param name="y">The pixel's row.</param>
-    public SubpathTracing(Scene scene, int x, int y)
+    /// <param name="mostWays">The number of ways that are listed: the brightest ones.</param>
+    public SubpathTracing(Scene scene, int x, int y, int mostWays)
     {
+        _mostWays = mostWays;
         _pixel = new(x, y, 1, 1);
         _log = new((uint)((y * scene.Render.Width) + x));
         _pass = new(scene, new() { Crop = _pixel }, Environment.ProcessorCount, (uint)scene.Render.Seed) { Recorded = _log };
@@ -51,19 +53,22 @@ internal sealed class SubpathTracing
             uint number = isVertex ? vertices[i].Number + 2 : 0;
             Rgb emitted = sum + Sum(arrivals, a => a.To == number && a.From == 0);
             Rgb after = emitted + Sum(arrivals, a => a.To == number && a.From > 0);
-            vertices[i] = vertices[i] with { Before = sum, AfterEmission = emitted, AfterAmbient = emitted, After = after };
+            Arrival met = arrivals.Find(a => a.To == number && a.From == 0);
+            TracedEmission? emission = vertices[i].Emission is { } light ? light with { Weight = met.Alone.IsBlack ? 0 : met.Light.Luminance / met.Alone.Luminance } : null;
+            vertices[i] = vertices[i] with { Before = sum, AfterEmission = emitted, AfterAmbient = emitted, After = after, Emission = emission };
             sum = after;
         }
 
-        AnswerQuestions(arrivals, vertices);
-        Arrival[] brightest = [.. arrivals.OrderByDescending(a => a.Light.Luminance).Take(MostWays)];
+        Dictionary<Arrival, int> asked = AnswerQuestions(arrivals, vertices);
+        Arrival[] brightest = [.. arrivals.OrderByDescending(a => a.Light.Luminance).Take(_mostWays)];
         FindLightPaths(brightest);
-        return path with { Radiance = sum, Vertices = vertices, Ways = [.. brightest.Select(a => WayOf(a, sample, vertices))] };
+        return path with { Radiance = sum, Vertices = vertices, Ways = [.. brightest.Select(a => WayOf(a, sample, vertices, asked))] };
     }
 
-    // What vertices asked of lights, and what came of it.
-    private void AnswerQuestions(List<Arrival> arrivals, PathVertex[] vertices)
+    // What vertices asked of lights, and what came of it; returns the lights of what arrived.
+    private Dictionary<Arrival, int> AnswerQuestions(List<Arrival> arrivals, PathVertex[] vertices)
     {
+        Dictionary<Arrival, int> lights = [];
         for (int i = 0; i < vertices.Length; i++)
         {
             IReadOnlyList<LightQuestion> questions = _camera.Questions(0, i);
@@ -73,10 +78,13 @@ internal sealed class SubpathTracing
                 LightQuestion? nearest = questions.Where(q => !q.IsAnswered).MaxBy(q => q.Answer.Direction.Dot(direction));
                 nearest?.Weigh(arrival.Light.Luminance / arrival.Alone.Luminance);
                 nearest?.Wait(new(nearest.Answer.Light, arrival.Light, Rgb.White), nearest.Expected * vertices[i].Throughput * vertices[i].Dispersion);
+                lights[arrival] = nearest?.Answer.Light ?? -1;
             }
 
             vertices[i] = vertices[i] with { Lights = [.. questions.Select(q => q.Settle())] };
         }
+
+        return lights;
     }
 
     private static Rgb Sum(List<Arrival> arrivals, Func<Arrival, bool> which) => arrivals.Where(which).Aggregate(Rgb.Black, (sum, a) => sum + a.Light);
@@ -109,21 +117,22 @@ internal sealed class SubpathTracing
         }
     }
 
-    private TracedWay WayOf(Arrival arrival, int sample, PathVertex[] vertices)
+    private TracedWay WayOf(Arrival arrival, int sample, PathVertex[] vertices, Dictionary<Arrival, int> asked)
     {
+        PathVertex? end = Array.FindLast(vertices, v => v.Number + 2 == arrival.To);
         TracedWay way = new((int)arrival.From, (int)arrival.To, arrival.IsMerge, arrival.Light, arrival.Alone)
         {
             Factors = arrival.Factors.All,
-            CameraEnd = arrival.To == 1 ? vertices[0].Origin : vertices.LastOrDefault(v => v.Number + 2 == arrival.To)?.Position,
+            CameraEnd = arrival.To == 1 ? vertices[0].Origin : end?.Position,
         };
         if (arrival.From < 2)
         {
-            return way with { LightEnd = arrival.From == 1 ? arrival.Point : null };
+            return arrival.From == 0 ? way with { Light = end?.Emission?.Light ?? -1 } : way with { LightEnd = arrival.Point, Light = asked.GetValueOrDefault(arrival, -1) };
         }
 
-        _followLight(arrival.LightPath, sample);
+        int light = _followLight(arrival.LightPath, sample);
         uint last = arrival.From - 2;
-        return way with { LightEnd = arrival.Point, LightPath = [.. _light.Paths().Single().Vertices.TakeWhile(v => v.Number <= last)] };
+        return way with { Light = light, LightEnd = arrival.Point, LightPath = [.. _light.Paths().Single().Vertices.TakeWhile(v => v.Number <= last)] };
     }
 
     // What arrives at one pixel in a pass.

@@ -98,4 +98,7 @@ public enum PathEnd
 
     /// <summary>It would go through the surface.</summary>
     Leaks,
+
+    /// <summary>What else comes to it comes by paths from the lights.</summary>
+    Gathered,
 }

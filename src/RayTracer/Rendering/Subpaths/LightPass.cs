@@ -121,15 +121,16 @@ internal sealed class LightPass
         return done.IsCompleted;
     }
 
-    /// <summary>Returns what follows a path once more, by its number in its pass and the number of the pass.</summary>
+    /// <summary>Returns what follows a path once more, by its number in its pass and the number of the pass, and finds its light's number.</summary>
     /// <param name="observer">Sees what happens to it.</param>
-    public Action<uint, int> Follower(PathObserver observer)
+    public Func<uint, int, int> Follower(PathObserver observer)
     {
         Worker worker = new(this, observer);
         return (path, sample) =>
         {
             observer.Begin(default, new(sample, sample + 1));
             worker.Follow((int)path, 1, sample);
+            return worker.FirstLight;
         };
     }
 
@@ -166,6 +167,8 @@ internal sealed class LightPass
         public long Rays => _stages.Rays + _shader.ShadowRays;
 
         public ReadOnlySpan<LightVertex> Vertices => _shader.Vertices;
+
+        public unsafe int FirstLight => (int)_starts.Lights[0];
 
         public void Follow(int firstPath, int count, int sample)
         {

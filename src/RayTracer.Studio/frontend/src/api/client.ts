@@ -24,6 +24,22 @@ function takeToken(): string {
 
 export const token = takeToken();
 
+// Whether the server has taken the secret: one of an earlier launch is of no use to others.
+let isKnown = false;
+
+/** A link to a pixel, on a slide say, has no secret: another window of this browser on the same Studio gives it. Nobody else hears the question. */
+export function shareToken(): void {
+  const windows = new BroadcastChannel("studio-windows");
+  windows.onmessage = ({ data }: MessageEvent<{ wants?: boolean; token?: string }>) => {
+    if (data.wants && isKnown) windows.postMessage({ token });
+    if (data.token && !token && !sessionStorage.getItem(tokenName)) {
+      sessionStorage.setItem(tokenName, data.token);
+      location.reload();
+    }
+  };
+  if (!token) windows.postMessage({ wants: true });
+}
+
 export type Query = Record<string, string | number | null | undefined>;
 
 export function address(path: string, query: Query = {}): string {
@@ -36,6 +52,7 @@ async function send(url: string, init: RequestInit): Promise<Response> {
   const headers = new Headers(init.headers);
   headers.set("X-Studio-Token", token);
   const response = await fetch(url, { ...init, headers });
+  isKnown ||= response.ok;
   if (response.ok) return response;
   const text = await response.text();
   let body: Record<string, Json> = {};

@@ -224,6 +224,7 @@ export interface InspectedWay {
   event: string;
   radiance: Vec3;
   weight: number;
+  light: string;
   things: string[];
   points: Vec3[];
   factors: InspectedFactor[];

@@ -7,8 +7,8 @@ import { complain } from "../state/messages";
 import { isDark } from "../state/settings";
 import { revision, selection } from "../state/store";
 import { texts } from "../texts";
-import { SceneDrawing, type Palette } from "./drawScene";
-import { litSamples, openVertex, pointedVertex, step, walk, wireframe } from "./paths";
+import { marksAt, SceneDrawing, type Palette } from "./drawScene";
+import { chosenSample, chosenWay, litSamples, openVertex, pointedLight, pointedSample, pointedVertex, step, walk, wireframe } from "./paths";
 import { around, nearer, newOrbit, turned } from "./orbit";
 
 const palettes: Record<"light" | "dark", Palette> = {
@@ -45,7 +45,8 @@ export function PathScene({ samples, chosen, way }: PathSceneProps) {
   }, []);
 
   const [scene, eye, selected, dark] = [wireframe.value, orbit.value, selection.value, isDark()];
-  const [lit, marked] = [litSamples.value, pointedVertex.value >= 0 ? pointedVertex.value : openVertex.value];
+  const [lit, open, vertex, light, pointed] = [litSamples.value, openVertex.value, pointedVertex.value, pointedLight.value, pointedSample.value];
+  const reach = scene && eye ? length(subtract(scene.camera.position, eye.target)) : 0;
   const [walked, shownStep] = [walk.value, step.value];
   useEffect(() => {
     const canvas = ref.current!;
@@ -56,21 +57,37 @@ export function PathScene({ samples, chosen, way }: PathSceneProps) {
     context.font = "11px system-ui, sans-serif";
     const camera = orbitCamera(eye.target, eye.yaw, eye.pitch, eye.distance, size.width, size.height);
     const drawing = new SceneDrawing(context, camera, palettes[dark ? "dark" : "light"]);
-    const reach = length(subtract(scene.camera.position, eye.target));
+    const marks = { open, vertex, light, sample: pointed };
     drawing.wires(scene, selected);
     drawing.eye(scene.camera, reach / 10);
-    for (const s of samples) if (s.sample !== chosen && (!lit || lit.includes(s.sample))) drawing.path(s, false, 2 * reach);
+    for (const s of samples) if (s.sample !== chosen && (!lit || lit.includes(s.sample))) drawing.path(s, false, 2 * reach, marks);
     const own = samples.find((s) => s.sample === chosen);
-    if (own) drawing.path(own, true, 2 * reach, marked);
+    if (own) drawing.path(own, true, 2 * reach, marks);
     if (walked) drawing.walk(walked, shownStep);
     const lightPart = own?.ways[way];
     if (lightPart) drawing.way(lightPart);
-  }, [scene, eye, size, samples, chosen, way, selected, dark, lit, marked, walked, shownStep]);
+  }, [scene, eye, size, samples, chosen, way, selected, dark, lit, open, vertex, light, pointed, walked, shownStep]);
 
   const turn = (yaw: number, pitch: number) => orbit.value && (orbit.value = turned(orbit.value, yaw, pitch));
   const approach = (factor: number) => orbit.value && (orbit.value = nearer(orbit.value, factor));
+  const [down, setDown] = useState({ x: 0, y: 0 });
+  const at = (e: MouseEvent) => ({ x: e.offsetX, y: e.offsetY });
+  const marksUnder = (e: MouseEvent) => {
+    const camera = eye && orbitCamera(eye.target, eye.yaw, eye.pitch, eye.distance, size.width, size.height);
+    const shown = samples.filter((s) => s.sample === chosen || !lit || lit.includes(s.sample));
+    return camera && marksAt(camera, shown, chosen, open, 2 * reach, at(e));
+  };
   const onPointerMove = (e: PointerEvent) => {
-    if (e.buttons) turn(-e.movementX * 0.01, e.movementY * 0.01);
+    if (e.buttons) return turn(-e.movementX * 0.01, e.movementY * 0.01);
+    const marks = marksUnder(e);
+    if (marks) [pointedVertex.value, pointedLight.value, pointedSample.value] = [marks.vertex, marks.light, marks.sample];
+  };
+  const onPointerLeave = () => (pointedVertex.value = pointedLight.value = pointedSample.value = -1);
+  const onClick = (e: MouseEvent) => {
+    const marks = marksUnder(e);
+    if (!marks || Math.hypot(e.offsetX - down.x, e.offsetY - down.y) > 3) return;
+    if (marks.vertex >= 0) openVertex.value = marks.vertex;
+    if (marks.sample >= 0) [chosenSample.value, chosenWay.value] = [marks.sample, -1];
   };
   const onWheel = (e: WheelEvent) => {
     e.preventDefault();
@@ -95,8 +112,13 @@ export function PathScene({ samples, chosen, way }: PathSceneProps) {
       tabIndex={0}
       width={1}
       height={1}
-      onPointerDown={(e) => e.currentTarget.setPointerCapture(e.pointerId)}
+      onPointerDown={(e) => {
+        e.currentTarget.setPointerCapture(e.pointerId);
+        setDown(at(e));
+      }}
       onPointerMove={onPointerMove}
+      onPointerLeave={onPointerLeave}
+      onClick={onClick}
       onWheel={onWheel}
       onKeyDown={onKeyDown}
     />

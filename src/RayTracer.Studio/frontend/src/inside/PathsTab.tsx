@@ -10,7 +10,7 @@ import { Button } from "../ui/Button";
 import { NumberField } from "../ui/NumberField";
 import { picture } from "../viewport/stage";
 import { rgb } from "./format";
-import { chosenSample, chosenWay, drawsAll, firstSample, followPaths, litSamples, openVertex, paths, pointedVertex } from "./paths";
+import { chosenSample, chosenWay, drawsAll, firstSample, followPaths, litSamples, openVertex, paths, pointedSample, pointedVertex } from "./paths";
 import { PathScene } from "./PathScene";
 import { PixelBars } from "./PixelBars";
 import { TreeStepper } from "./TreeStepper";
@@ -33,6 +33,11 @@ function PixelChooser() {
 
 const luminance = ([r = 0, g = 0, b = 0]: readonly number[]) => 0.2126 * r + 0.7152 * g + 0.0722 * b;
 
+const pointing = (sample: number) => {
+  const [on, off] = [() => (pointedSample.value = sample), () => (pointedSample.value = -1)];
+  return { onPointerEnter: on, onPointerLeave: off, onFocus: on, onBlur: off };
+};
+
 function SampleList({ answer }: { answer: InspectedPixel }) {
   return (
     <div class="sample-list">
@@ -46,7 +51,7 @@ function SampleList({ answer }: { answer: InspectedPixel }) {
       <ul aria-label={t.list}>
         {answer.samples.map((s) => (
           <li key={s.sample}>
-            <button type="button" class={`list-button ${litSamples.value && !litSamples.value.includes(s.sample) ? "dimmed" : ""}`} aria-pressed={s.sample === chosenSample.value} onClick={() => ([chosenSample.value, chosenWay.value] = [s.sample, -1])}>
+            <button type="button" class={`list-button ${litSamples.value && !litSamples.value.includes(s.sample) ? "dimmed" : ""} ${pointedSample.value === s.sample ? "pointed" : ""}`} {...pointing(s.sample)} aria-pressed={s.sample === chosenSample.value} onClick={() => ([chosenSample.value, chosenWay.value] = [s.sample, -1])}>
               <span class="swatch" style={{ background: toHex(s.radiance) }} /><span class="hidden-text">{t.sample}</span> {s.sample}<span class="figures" data-tip={rgb(s.radiance)}>{format(luminance(s.radiance), 3)}</span>
             </button>
           </li>
@@ -62,7 +67,7 @@ function VertexRow({ vertex, index }: { vertex: InspectedVertex; index: number }
   const isOpen = openVertex.value === index;
   return (
     <>
-      <tr class={isOpen ? "open" : ""} onPointerEnter={() => (pointedVertex.value = index)} onPointerLeave={() => (pointedVertex.value = -1)}>
+      <tr class={`${isOpen ? "open" : ""} ${pointedVertex.value === index ? "pointed" : ""}`} onPointerEnter={() => (pointedVertex.value = index)} onPointerLeave={() => (pointedVertex.value = -1)}>
         <td><button type="button" class="link" aria-expanded={isOpen} aria-label={t.open(index)} onClick={() => (openVertex.value = isOpen ? -1 : index)}>{isOpen ? "▾" : "▸"} {index}</button></td>
         <td data-tip={t.eventsWhy[vertex.event]}><span class={`event ${vertex.event}`}>{t.events[vertex.event] ?? vertex.event}</span></td>
         <td class="thing">{vertex.pointer ? <button type="button" class="link" onClick={() => select(vertex.pointer)}>{vertex.name ?? vertex.pointer}</button> : vertex.name}<span class="material">{vertex.material}</span></td>
@@ -117,7 +122,7 @@ function WayRow({ way, index }: { way: InspectedWay; index: number }) {
       <tr class={isOpen ? "open" : ""}>
         <td><button type="button" class="link" aria-expanded={isOpen} aria-label={t.openWay(way.lightVertices, way.cameraVertices)} onClick={() => (chosenWay.value = isOpen ? -1 : index)}>{isOpen ? "▾" : "▸"} {way.lightVertices} + {way.cameraVertices}</button></td>
         <td data-tip={t.eventsWhy[way.event]}><span class={`event ${way.event}`}>{t.events[way.event] ?? way.event}</span></td>
-        <td>{way.things.join(" → ")}</td>
+        <td>{[way.light, ...way.things].filter(Boolean).join(" → ")}</td>
         <td class="figures">{format(way.weight, 3)}</td>
         <td class="figures">{rgb(way.radiance)}</td>
       </tr>

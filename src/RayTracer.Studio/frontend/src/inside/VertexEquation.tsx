@@ -3,6 +3,7 @@ import { format } from "../json/numbers";
 import { select } from "../state/edits";
 import { texts } from "../texts";
 import { rgb } from "./format";
+import { pointedLight } from "./paths";
 
 const t = texts.paths;
 
@@ -24,10 +25,10 @@ function Product({ factors, over, result }: { factors: [string, string, string?]
 const isWhite = (c: readonly number[]) => c.every((v) => v === 1);
 const carried = ({ throughput, dispersion }: InspectedVertex) => throughput.map((v, i) => v * dispersion[i]!);
 
-function LightRow({ vertex, light }: { vertex: InspectedVertex; light: InspectedLight }) {
+function LightRow({ vertex, light, index }: { vertex: InspectedVertex; light: InspectedLight; index: number }) {
   const arrives = light.outcome === "arrives";
   return (
-    <li class={arrives ? "arrives" : "nothing"}>
+    <li class={`${arrives ? "arrives" : "nothing"} ${pointedLight.value === index ? "pointed" : ""}`} onPointerEnter={() => (pointedLight.value = index)} onPointerLeave={() => (pointedLight.value = -1)}>
       <strong>{light.pointer ? <button type="button" class="link" onClick={() => select(light.pointer)}>{light.name}</button> : light.name}</strong>{" "}
       {!arrives && <span>{light.outcome === "blocked" && light.blocker ? t.blockedBy(light.blocker) : t.outcomes[light.outcome]}</span>}
       {arrives && (
@@ -77,7 +78,8 @@ export function VertexEquation({ vertex }: { vertex: InspectedVertex }) {
       )}
       {parts.ambient.some((v) => v !== 0) && <p>{t.ambient} <strong class="figures">{rgb(parts.ambient)}</strong></p>}
       {vertex.lights.length > 0 && <h4>{t.asks}</h4>}
-      <ul>{vertex.lights.map((light, i) => <LightRow vertex={vertex} light={light} key={i} />)}</ul>
+      {vertex.event === "specular" && vertex.lights.length === 0 && <p class="quiet">{t.asksNone}</p>}
+      <ul>{vertex.lights.map((light, i) => <LightRow vertex={vertex} light={light} index={i} key={i} />)}</ul>
       {vertex.event !== "camera" && vertex.event !== "miss" && vertex.event !== "absorbed" && (
         <>
           <h4>{t.next}</h4>

@@ -18,6 +18,36 @@ function pathColor(radiance: Vec3): string {
   return largest > 0 ? toHex(scale(radiance, 1 / largest)) : "#808080";
 }
 
+/** What is open, and what is pointed at; -1 for none. */
+export interface Marks {
+  open: number;
+  vertex: number;
+  light: number;
+  sample: number;
+}
+
+export const noMarks: Marks = { open: -1, vertex: -1, light: -1, sample: -1 };
+
+const reach = 10;
+
+/** What a place of the drawing is at: a vertex of the chosen path, a light that its open vertex asks, or another path. */
+export function marksAt(camera: CameraFrame, samples: readonly InspectedPath[], chosen: number, open: number, farAway: number, at: { x: number; y: number }): Marks {
+  const found = { ...noMarks, open };
+  let least = reach;
+  const near = (point: Vec3, marks: Partial<Marks>) => {
+    const seen = project(camera, point);
+    const distance = seen ? Math.hypot(seen.x - at.x, seen.y - at.y) : Infinity;
+    if (distance >= least) return;
+    least = distance;
+    Object.assign(found, noMarks, { open }, marks);
+  };
+  const own = samples.find((s) => s.sample === chosen);
+  if (own) pathPoints(own, farAway).forEach((p, vertex) => near(p, { vertex }));
+  own?.vertices[open]?.lights.forEach((l, light) => l.point && near(l.point, { light }));
+  for (const s of samples) if (s !== own) pathPoints(s, farAway).slice(2).forEach((p) => near(p, { sample: s.sample }));
+  return found;
+}
+
 export class SceneDrawing {
   constructor(
     private readonly context: CanvasRenderingContext2D,
@@ -58,15 +88,17 @@ export class SceneDrawing {
     for (const corner of corners) this.polyline([view.position, corner], this.palette.camera, 1);
   }
 
-  path(sample: InspectedPath, isChosen: boolean, farAway: number, marked = -1): void {
+  path(sample: InspectedPath, isChosen: boolean, farAway: number, marks: Marks = noMarks): void {
     const points = pathPoints(sample, farAway);
     const color = pathColor(sample.radiance);
+    const isPointed = sample.sample === marks.sample;
     if (isChosen) this.polyline(points, this.palette.faint, 5, 0.7);
-    this.polyline(points, color, isChosen ? 2 : 1, isChosen ? 1 : 0.45);
+    this.polyline(points, color, isChosen || isPointed ? 2 : 1, isChosen || isPointed ? 1 : 0.45);
     if (!isChosen) return;
-    for (const light of sample.vertices[marked]?.lights ?? []) {
-      if (light.point) this.polyline([points[marked]!, light.point], light.outcome === "arrives" ? this.palette.selected : this.palette.wire, 1.5);
-    }
+    sample.vertices[marks.open]?.lights.forEach((light, i) => {
+      if (light.point) this.polyline([points[marks.open]!, light.point], light.outcome === "arrives" ? this.palette.selected : this.palette.wire, i === marks.light ? 4 : 1.5);
+    });
+    const marked = marks.vertex >= 0 ? marks.vertex : marks.open;
     points.forEach((point, i) => this.dot(point, color, i, i === marked ? 7 : 3.5));
   }
 

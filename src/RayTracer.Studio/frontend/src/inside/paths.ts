@@ -16,6 +16,10 @@ export const chosenWay = signal(-1);
 export const openVertex = signal(-1);
 export const pointedVertex = signal(-1);
 
+/** The light that the open vertex asks, and the sample, that are pointed at in the lists or in the drawings; -1 for none. */
+export const pointedLight = signal(-1);
+export const pointedSample = signal(-1);
+
 /** The samples that have the light of the bar that is pointed at or chosen; null for all. */
 export const litSamples = signal<readonly number[] | null>(null);
 
@@ -37,6 +41,7 @@ export const wireframe = signal<WireframeView | null>(null);
 const asking = new Latest<{ x: number; y: number; first: number }>(async ({ x, y, first }) => {
   paths.value = await get<InspectedPixel>("paths", { x, y, first, count: perPage });
   chosenWay.value = -1;
+  pointedSample.value = pointedVertex.value = pointedLight.value = -1;
   if (!paths.value.samples.some((s) => s.sample === chosenSample.value)) chosenSample.value = first;
 }, complain);
 

@@ -14,6 +14,12 @@ interface KeyRowProps {
   length: number;
 }
 
+/** What a row's name begins with, and the last step of it. */
+export function partsOfLabel(label: string): [string, string] {
+  const at = label.lastIndexOf(".");
+  return at < 0 ? ["", label] : [label.slice(0, at), label.slice(at)];
+}
+
 /** The keys of one value, which can be chosen and moved. */
 export function KeyRow({ row, length }: KeyRowProps) {
   const gesture = useRef("");
@@ -26,7 +32,9 @@ export function KeyRow({ row, length }: KeyRowProps) {
     if (e.button !== 0) return;
     const key = e.currentTarget as HTMLElement;
     const perFrame = key.parentElement!.clientWidth / length;
-    if (!chosen.value.has(name)) choose(name, e.shiftKey);
+    // One of several that are chosen may be about to be dragged with them: only a click that moves nothing chooses it alone.
+    const wasChosen = chosen.value.has(name);
+    if (!wasChosen) choose(name, e.shiftKey);
     key.setPointerCapture(e.pointerId);
     setHeld(true);
     key.onpointermove = (move) => (dragBy.value = Math.round((move.clientX - e.clientX) / perFrame));
@@ -34,6 +42,7 @@ export function KeyRow({ row, length }: KeyRowProps) {
       key.onpointermove = key.onlostpointercapture = null;
       setHeld(false);
       if (dragBy.value !== 0) moveKeys(dragBy.value, e.altKey);
+      else if (wasChosen) choose(name, e.shiftKey);
       dragBy.value = 0;
     };
   };
@@ -49,9 +58,12 @@ export function KeyRow({ row, length }: KeyRowProps) {
     e.stopPropagation();
   };
   const isSelected = selection.value === row.thing;
+  const [of, what] = partsOfLabel(row.label);
   return (
     <div class={`key-row ${isSelected ? "selected" : ""}`}>
-      <button type="button" class="row-name" aria-label={t.select(row.label)} data-tip={row.label} onClick={() => select(row.thing)}>{row.label}</button>
+      <button type="button" class="row-name" aria-label={t.select(row.label)} data-tip={row.label} onClick={() => select(row.thing)}>
+        <span class="of">{of}</span><span class="what">{what}</span>
+      </button>
       <div class="key-lane" role="group" aria-label={t.keysOf(row.label)}>
         {row.items.map((key, i) => {
           const name = nameOfKey(row.keys, key.frame);

@@ -12,13 +12,14 @@ export function markStep(length: number): number {
 }
 
 /** Frames along the timeline; a drag shows them one after the other. */
-export function Ruler({ length }: { length: number }) {
+export function Ruler({ last, length }: { last: number; length: number }) {
   const frame = time.value?.frame ?? 0;
   const step = markStep(length);
   const marks = Array.from({ length: Math.floor(length / step) + 1 }, (_, i) => i * step);
   const onPointerDown = (e: PointerEvent) => {
     const ruler = e.currentTarget as HTMLElement;
-    const go = (at: PointerEvent) => showFrame(((at.clientX - ruler.getBoundingClientRect().left) / ruler.clientWidth) * length);
+    // Not beyond the end, which would make the ruler longer under the pointer.
+    const go = (at: PointerEvent) => showFrame(Math.min(last, ((at.clientX - ruler.getBoundingClientRect().left) / ruler.clientWidth) * length));
     ruler.setPointerCapture(e.pointerId);
     ruler.onpointermove = go;
     ruler.onlostpointercapture = () => (ruler.onpointermove = null);
@@ -45,7 +46,6 @@ export function Ruler({ length }: { length: number }) {
       onKeyDown={onKeyDown}
     >
       {marks.map((m) => <span class="mark" style={{ left: `${(100 * m) / length}%` }} key={m}>{m}</span>)}
-      <span class="playhead" style={{ left: `${(100 * Math.min(frame, length)) / length}%` }} />
     </div>
   );
 }

@@ -59,12 +59,18 @@ function Timeline() {
       <Bar />
       {now.complaint && <p class="quiet pad" role="status">{now.complaint}</p>}
       <div class="lanes">
-        <div class="key-row head">
-          <span class="row-name" />
-          <Ruler length={length} />
+        <div class="lanes-inside">
+          <div class="key-row head">
+            <span class="row-name" />
+            <Ruler last={last} length={length} />
+          </div>
+          {rows.value.map((row) => <KeyRow row={row} length={length} key={row.keys} />)}
+          {rows.value.length === 0 && <p class="quiet">{t.none}</p>}
+          <div class="key-row over" aria-hidden="true">
+            <span class="row-name" />
+            <div class="key-lane"><span class="playhead" style={{ left: `${(100 * Math.min(now.frame ?? 0, length)) / length}%` }} /></div>
+          </div>
         </div>
-        {rows.value.map((row) => <KeyRow row={row} length={length} key={row.keys} />)}
-        {rows.value.length === 0 && <p class="quiet">{t.none}</p>}
       </div>
     </div>
   );

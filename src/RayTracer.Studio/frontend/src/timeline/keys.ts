@@ -22,18 +22,25 @@ export function choiceOf(all: readonly TimelineRow[], names: ReadonlySet<string>
 
 export const choice = computed(() => choiceOf(rows.value, chosen.value));
 
+const asking = new Latest<number>(async () => (rows.value = (await get<TimelineRows>("timeline")).rows), complain);
+
+// An arrow key that is held comes more quickly than answers: each edit begins with the keys that the one before has made.
+let editing: Promise<unknown> = Promise.resolve();
+const inTurn = (work: () => Promise<void>) => attempt(() => (editing = editing.then(work, work)));
+
 const framesOf = () => choice.value.flatMap((c) => c.numbers.map((i) => rows.value.find((r) => r.keys === c.keys)!.items[i]!.frame));
 
 /** Chooses what an edit has made of the keys, unless others were chosen while it was on its way. */
-async function edit(request: Promise<unknown>, made: ReadonlySet<string>): Promise<void> {
+async function edit(request: Promise<{ revision: number }>, made: ReadonlySet<string>): Promise<void> {
   const before = chosen.value;
-  await request;
+  asking.push((await request).revision);
+  await asking.settled();
   if (chosen.value === before) chosen.value = made;
 }
 
 /** Moves the chosen keys, or puts copies of them elsewhere; what was moved stays chosen. */
 export const moveKeys = (frames: number, copies: boolean, gesture?: string) =>
-  attempt(async () => {
+  inTurn(async () => {
     const keys = choice.value;
     const by = Math.max(frames, -Math.min(...framesOf()));
     if (keys.length === 0 || by === 0) return;
@@ -42,8 +49,8 @@ export const moveKeys = (frames: number, copies: boolean, gesture?: string) =>
   });
 
 export const removeKeys = () =>
-  attempt(async () => {
-    await edit(choice.value.length > 0 ? post("timeline/remove", { keys: choice.value }) : Promise.resolve(), new Set());
+  inTurn(async () => {
+    if (choice.value.length > 0) await edit(post("timeline/remove", { keys: choice.value }), new Set());
   });
 
 export const easeKeys = (ease: string) => attempt(() => post("timeline/ease", { keys: choice.value, ease }));
@@ -53,7 +60,6 @@ export const copyToPlayhead = () => moveKeys((time.value?.frame ?? 0) - Math.min
 
 /** Asks for the keys whenever the text changes, and shows the timeline of a scene that is animated when it is opened. */
 export function followKeys(): void {
-  const asking = new Latest<number>(async () => (rows.value = (await get<TimelineRows>("timeline")).rows), complain);
   effect(() => {
     if (connection.value === "open" && revision.value >= 0) asking.push(revision.value);
   });
