@@ -9,8 +9,8 @@ public static class Precision
 {
     private const int MostDecimals = 9;
 
-    // The part of a pixel that nobody sees.
-    private const float PixelShare = 0.05f;
+    /// <summary>The part of a pixel that nobody sees.</summary>
+    internal const float PixelShare = 0.05f;
 
     /// <summary>The number with the fewest decimals that differs by no more than a bound.</summary>
     /// <param name="value">The number.</param>

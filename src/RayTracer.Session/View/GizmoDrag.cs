@@ -20,8 +20,8 @@ internal sealed class GizmoDrag(CameraFrame camera, Vector3 center)
     public Placement? Between(GizmoKind kind, int? axis, Vector2 from, Vector2 to) =>
         axis is { } i ? Along(kind, Axes[i], from, to) : Freely(kind, from, to);
 
-    /// <summary>The same handle after a change.</summary>
-    public GizmoDrag After(Placement change) => new(camera, center + (change.Translate ?? default));
+    /// <summary>A way with as many digits as make a difference of a part of a pixel.</summary>
+    public Vector3 Rounded(Vector3 way) => Precision.Round(way, camera.LengthOf(Precision.PixelShare, center));
 
     private Placement? Freely(GizmoKind kind, Vector2 from, Vector2 to)
     {

@@ -8,7 +8,7 @@ namespace RayTracer.Session;
 public sealed class HandleDrags(SceneEdits edits, PictureView view)
 {
     private readonly Lock _lock = new();
-    private (string Gesture, GizmoDrag Drag, Vector2 Reached)? _current;
+    private (string Gesture, GizmoDrag Drag, Vector2 Reached, Vector3 Moved)? _current;
 
     /// <summary>Has the thing follow the pointer. What cannot be computed (the axis points at the eye, say) changes nothing.</summary>
     /// <exception cref="SessionException">There is no thing of a size, or nothing can be drawn over the picture.</exception>
@@ -22,21 +22,31 @@ public sealed class HandleDrags(SceneEdits edits, PictureView view)
 
         lock (_lock)
         {
-            (_, GizmoDrag drag, Vector2 reached) = _current is { } current && current.Gesture == way.Gesture ? current : Begin(way);
+            (_, GizmoDrag drag, Vector2 reached, Vector3 moved) = _current is { } current && current.Gesture == way.Gesture ? current : Begin(way);
             if (drag.Between(way.Kind, way.Axis, reached, way.To) is { } change)
             {
+                // Moves are measured from where they began: what is rounded off a short one is not lost to the next.
+                if (change.Translate is { } all)
+                {
+                    all = drag.Rounded(all);
+                    (change, moved) = (new(Translate: all - moved), all);
+                }
+                else
+                {
+                    reached = way.To;
+                }
+
                 edits.Place(way.Pointer, change, way.Gesture);
-                (drag, reached) = (drag.After(change), way.To);
             }
 
-            _current = (way.Gesture, drag, reached);
+            _current = (way.Gesture, drag, reached, moved);
         }
     }
 
-    private (string, GizmoDrag, Vector2) Begin(HandleDrag way)
+    private (string, GizmoDrag, Vector2, Vector3) Begin(HandleDrag way)
     {
         ViewportScene shown = view.RequireShown();
-        return (way.Gesture, new(CameraFrame.Of(shown), Gizmo.Of(shown, way.Pointer).Center), way.From);
+        return (way.Gesture, new(CameraFrame.Of(shown), Gizmo.Of(shown, way.Pointer).Center), way.From, default);
     }
 }
 

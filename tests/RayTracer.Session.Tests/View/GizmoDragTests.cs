@@ -40,6 +40,33 @@ public sealed class GizmoDragTests
         Assert.Equal(new(200, 150), Camera.Project(Vector3.Zero));
     }
 
+    [Fact]
+    public async Task A_dragged_thing_follows_slow_and_quick_pointers_and_its_numbers_stay_short()
+    {
+        using TestSession test = new();
+        ViewportScene shown = await test.Open("""
+            {
+              "camera": { "position": [0.3, 2, 8], "lookAt": [0, 1, 0] },
+              "render": { "integrator": "path", "width": 120, "height": 80, "samplesPerPixel": 1 },
+              "shapes": [ { "type": "sphere", "center": [1, 0.5, 0], "radius": 0.5 } ],
+              "lights": []
+            }
+            """);
+        CameraFrame camera = CameraFrame.Of(shown);
+        Vector2 from = camera.Project(new(1, 0.5f, 0))!.Value;
+        Vector2 to = camera.Project(new(-0.5f, 0.5f, 0))!.Value;
+        const int Steps = 400;
+        for (int i = 1; i <= Steps; i++)
+        {
+            test.Session.Handles.Drag(new("/shapes/0", GizmoKind.Move, 0, from, Vector2.Lerp(from, to, (float)i / Steps), "slow"));
+        }
+
+        string center = System.Text.RegularExpressions.Regex.Match(test.Session.Document.Text, "\"center\": \\[(.*?),").Groups[1].Value;
+        float x = float.Parse(center, System.Globalization.CultureInfo.InvariantCulture);
+        Assert.True(MathF.Abs(x + 0.5f) < camera.LengthOf(0.5f, new(0, 0.5f, 0)), center);
+        Assert.True(center.Length <= "-0.123".Length, center);
+    }
+
     private Vector2 At(Vector3 point) => Camera.Project(point)!.Value;
 
     private static void Near(Vector3 expected, Vector3? actual) => Assert.True((expected - actual!.Value).Length() < 1e-4f, $"{expected} {actual}");
