@@ -96,7 +96,7 @@ public sealed class AovTests : IDisposable
     }
 
     [Theory]
-    [InlineData("-o OUT --aov dept", "--aov dept: unknown image \"dept\" (did you mean \"depth\"?), expected some of depth, normal, albedo, uv, motion, primitive, cryptoObject, cryptoMaterial, bvhCost, samples, error")]
+    [InlineData("-o OUT --aov dept", "--aov dept: unknown image \"dept\" (did you mean \"depth\"?), expected some of depth, normal, albedo, uv, motion, primitive, cryptoObject, cryptoMaterial, bvhCost, luminance, samples, error")]
     [InlineData("-o OUT --aov motion", "--aov motion: nothing moves while the shutter is open for no time: give \"shutter\" under \"render\"")]
     [InlineData("-o OUT --aov depth,bvhcost", "unknown image \"bvhcost\" (did you mean \"bvhCost\"?)")]
     [InlineData("-o OUT --aov depth,", "unknown image \"\", expected some of")]

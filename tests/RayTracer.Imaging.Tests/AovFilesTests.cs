@@ -91,6 +91,21 @@ public class AovFilesTests
     }
 
     [Fact]
+    public void False_colours_of_the_light_are_as_far_apart_as_exposures_are()
+    {
+        LuminanceImage image = new();
+        NumberRange range = new(0, 64, 8);
+        (double R, double G, double B) Shown(double luminance) => image.Show([luminance], range);
+        Assert.Equal(Shown(8), Shown(64));
+        Assert.Equal((0, 0, 0), Shown(0));
+        Assert.Equal((0, 0, 0), Shown(8 / 1024d));
+        Assert.Equal((0.85, 0.2, 0.25), Shown(8 / 32d), (a, b) => Math.Abs(a.Item1 - b.Item1) + Math.Abs(a.Item2 - b.Item2) + Math.Abs(a.Item3 - b.Item3) < 1e-5);
+        double[] greens = [.. Enumerable.Range(0, 11).Select(i => Shown(8 / 1024d * (1 << i)).G)];
+        Assert.Equal(greens.Order(), greens);
+        Assert.Equal("0.0078125 or less to 8 and more, evenly in 10 doublings: black, violet, red, orange, white; at most 64", image.Legend(range));
+    }
+
+    [Fact]
     public void Every_primitive_has_a_colour_of_its_own_and_nothing_is_black()
     {
         float[] shown = Shown(new PrimitiveImage(), raw: true);
@@ -126,7 +141,7 @@ public class AovFilesTests
     public void Files_stand_beside_their_picture()
     {
         Assert.Equal(Path.Combine("a.b", "out.bvhCost.png"), AovFiles.Beside(Path.Combine("a.b", "out.png"), "bvhCost"));
-        string[] names = ["depth", "normal", "albedo", "uv", "motion", "primitive", "cryptoObject", "cryptoMaterial", "bvhCost", "samples", "error"];
+        string[] names = ["depth", "normal", "albedo", "uv", "motion", "primitive", "cryptoObject", "cryptoMaterial", "bvhCost", "luminance", "samples", "error"];
         Assert.Equal(names, AuxiliaryImage.Known.All.Select(i => i.Name));
     }
 

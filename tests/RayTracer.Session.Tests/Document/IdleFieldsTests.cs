@@ -83,6 +83,8 @@ public sealed class IdleFieldsTests
         Assert.False(Idle("ao").ContainsKey("/render/occlusionDistance"));
         Assert.True(Idle("path").ContainsKey("/camera/lens/focusDistance"));
         Assert.False(IdleFields.Of(JsonText.Of(Scene).Set("/camera/lens/apertureRadius", 0.2).Root).ContainsKey("/camera/lens/focusDistance"));
+        Assert.Equal("This light has no surface.", Idle("path")["/lights/1/material"]);
+        Assert.False(Idle("path").ContainsKey("/lights/0/material"));
         Assert.Equal("The sheen is 0.", Idle("path")["/materials/paint/sheenTint"]);
         Assert.False(IdleFields.Of(JsonText.Of(Scene).Set("/materials/paint/sheen", "cloudy").Root).ContainsKey("/materials/paint/sheenTint"));
 

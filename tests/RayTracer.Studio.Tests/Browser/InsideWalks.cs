@@ -146,7 +146,7 @@ public class InsideWalks(ChromiumBrowser browser)
         await using StudioWindow w = await StudioWindow.Open(browser, "meshes/02-smooth");
         await w.Painted();
         ILocator map = w.Page.GetByRole(AriaRole.Combobox, new() { Name = "Show", Exact = true });
-        foreach (string name in new[] { "samples", "error", "bvhCost", "depth", "normal", "albedo", "uv", "primitive", "light" })
+        foreach (string name in new[] { "luminance", "samples", "error", "bvhCost", "depth", "normal", "albedo", "uv", "primitive", "light" })
         {
             int version = await w.Data("version");
             await map.SelectOptionAsync(name);

@@ -23,6 +23,7 @@ public abstract record AuxiliaryImage
         new CryptomatteImage(CryptomatteKind.Object),
         new CryptomatteImage(CryptomatteKind.Material),
         new BvhCostImage(),
+        new LuminanceImage(),
         new SamplesImage(),
         new ErrorImage());
 

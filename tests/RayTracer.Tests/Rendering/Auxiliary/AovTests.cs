@@ -202,6 +202,8 @@ public sealed class AovTests
         new RTracer(scene, new() { Crop = new(3, 4, 20, 10) }).Render(film);
         Assert.Equal(0, Read(aovs, new SamplesImage(), 0)[0]);
         Assert.Equal(16, Read(aovs, new SamplesImage(), (5 * Width) + 4)[0]);
+        Assert.Equal(film[4, 5].Luminance, Read(aovs, new LuminanceImage(), (5 * Width) + 4)[0]);
+        Assert.NotEqual(0, film[4, 5].Luminance);
         Film whole = new(Width, Height);
         new RTracer(scene).Render(whole);
         Assert.Equal(alone, whole.ComputeHash());
