@@ -52,8 +52,10 @@ internal sealed class RoomBeside(PlaceInView place, Scene? late)
             return default;
         }
 
-        SeenPlace[] seen = [.. Enumerable.Range(1, Rings).SelectMany(Ring)];
-        SeenPlace[] near = [.. seen.Where(s => Distance(s) < Reach * place.View.Size)];
+        // Looked at as far as they are asked for.
+        SeenPlace[]?[] rings = new SeenPlace[Rings][];
+        IEnumerable<SeenPlace> seen = Enumerable.Range(0, Rings).SelectMany(i => rings[i] ??= Ring(i + 1));
+        IEnumerable<SeenPlace> near = seen.Where(s => Distance(s) < Reach * place.View.Size);
 
         // The ground rather than what stands on it, whose tops are level, too.
         float Height(SeenPlace s) => MathF.Floor(s.Position.Dot(upright) / (place.View.Size / 4));
