@@ -154,6 +154,7 @@ export interface InspectedEmission {
   scatterPdf: number | null;
   lightPdf: number | null;
   weight: number;
+  isFoundOtherwise: boolean;
 }
 
 export interface InspectedFactor {
@@ -224,9 +225,9 @@ export interface InspectedWay {
   event: string;
   radiance: Vec3;
   weight: number;
-  light: string;
   things: string[];
   points: Vec3[];
+  light: string;
   factors: InspectedFactor[];
 }
 
