@@ -1,3 +1,4 @@
+using System.Text.RegularExpressions;
 using Microsoft.Playwright;
 using static Microsoft.Playwright.Assertions;
 
@@ -226,6 +227,7 @@ public class EverydayWalks(ChromiumBrowser browser)
         // One that is in no file becomes a new scene.
         w.Session.Files.OpenGallery("minimal.json", discard: true);
         string minimal = w.Session.Document.Text;
+        await Expect(next).ToHaveTitleAsync(new Regex("minimal"));
         await TypeWithoutServer(w, "// typed in none", next);
         await StudioWindow.Until("it is kept", async () => (await next.EvaluateAsync<string>("() => localStorage.getItem('studio.unsent') ?? ''")).Contains("typed in none", StringComparison.Ordinal));
         await next.CloseAsync();
