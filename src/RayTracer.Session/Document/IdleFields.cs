@@ -48,7 +48,7 @@ internal static class IdleFields
         new("wood", ["scale", "seed"], v => v.Number("turbulence") == 0, Text("noTurbulence")),
         new("spot", ["pictureUp"], v => v.Child("picture")!.Node is null, Text("noPicture")),
         new("point", ["mapping"], v => v.Child("picture")!.Node is null, Text("noPicture")),
-        .. new[] { "point", "spot", "directional", "projector" }.Select(light => new IdleRule(light, ["material"], _ => true, Text("noSurface"))),
+        .. SceneTypes.Shapes.Types.Where(t => t.IsLight).Select(light => new IdleRule(light.Name, ["material"], _ => true, Text("noSurface"))),
     ];
 
     /// <summary>The parameters of a scene that have no effect, by their pointers, with the reasons.</summary>

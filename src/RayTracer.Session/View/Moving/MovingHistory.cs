@@ -202,7 +202,7 @@ internal sealed unsafe class MovingHistory
             }
         }
 
-        // Not inlined, since nothing is within methods of so many registers.
+        // Not inlined: where it was, the compiler gave up within it, and the filter took 12 ms instead of 10.
         [MethodImpl(MethodImplOptions.NoInlining)]
         public FloatW Sum(float* plane, in FloatW leftWeight, in FloatW rightWeight)
         {

@@ -15,7 +15,7 @@ public sealed record LuminanceImage : FilmImage
     public override string Title => "Luminance";
 
     /// <inheritdoc/>
-    public override string Description => "How bright the light is, in false colours: each step of the same colour is a doubling, so that shadows and lamps can be compared.";
+    public override string Description => "How bright the light is, in false colours: equal steps of the scale are equal ratios, so that shadows and lamps can be compared.";
 
     // A lamp or a spark would leave nothing but black to the others.
     /// <inheritdoc/>

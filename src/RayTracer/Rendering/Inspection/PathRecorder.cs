@@ -142,6 +142,7 @@ internal sealed unsafe partial class PathRecorder(Scene scene, bool asks = true)
             int lane = BitOperations.TrailingZeroCount(rest);
             bool Is(MaskW mask) => (mask.Bits >> lane & 1) != 0;
             Path path = _paths[stream.Path[index[lane]]];
+            uint state = stream.State[index[lane]];
             Rgb weight = Lane(scatter.Weight, lane);
             PathEvent met = Is(scatter.Absorbed) ? PathEvent.Absorbed : !Is(alive) ? PathEvent.Ended : Is(scatter.Specular) ? PathEvent.Specular : PathEvent.Diffuse;
             Rgb value = Lane(bsdf, lane);
@@ -160,7 +161,7 @@ internal sealed unsafe partial class PathRecorder(Scene scene, bool asks = true)
                 AfterAmbient = path.AfterAmbient,
             };
             path.Emission = Lane(sent, lane) is { IsBlack: false } radiance ? Met(path, vertex, group, stream, index[lane], radiance) : null;
-            path.Add(vertex with { End = met == PathEvent.Ended ? EndOf(vertex, stream.State[index[lane]], Is(dropped)) : PathEnd.None }, Answer(path, asked, lane, vertex, stream.State[index[lane]]));
+            path.Add(vertex with { End = met == PathEvent.Ended ? EndOf(vertex, state, Is(dropped)) : PathEnd.None }, Answer(path, asked, lane, vertex, state));
         }
     }
 

@@ -39,18 +39,11 @@ export function asOne(changes: ChangeSet, before: Text): { from: number; to: num
   return { from, to, insert: after.sliceString(from, to + after.length - before.length) };
 }
 
-/** A short name of a text, by which it is known again (cyrb53, by bryc). */
+/** A short name of a text, by which it is known again: its length, and its hash (Fowler, Noll & Vo 1991, FNV-1a by characters). */
 export function fingerprint(text: string): string {
-  let a = 0xdeadbeef;
-  let b = 0x41c6ce57;
-  for (let i = 0; i < text.length; i++) {
-    const code = text.charCodeAt(i);
-    a = Math.imul(a ^ code, 2654435761);
-    b = Math.imul(b ^ code, 1597334677);
-  }
-  a = Math.imul(a ^ (a >>> 16), 2246822507) ^ Math.imul(b ^ (b >>> 13), 3266489909);
-  b = Math.imul(b ^ (b >>> 16), 2246822507) ^ Math.imul(a ^ (a >>> 13), 3266489909);
-  return (4294967296 * (2097151 & b) + (a >>> 0)).toString(36);
+  let hash = 0x811c9dc5;
+  for (let i = 0; i < text.length; i++) hash = Math.imul(hash ^ text.charCodeAt(i), 0x01000193);
+  return `${text.length}-${(hash >>> 0).toString(36)}`;
 }
 
 // The first is that of the file, mostly; of the others, a server that was gone comes back with one of the last.
@@ -151,6 +144,7 @@ export class TextSync {
     this.become(theirs.apply(this.base), answer.revision);
     if (found) this.view.apply(theirs.map(own, true));
   }
+
   private become(base: Text, revision: number): void {
     [this.base, this.revision] = [base, revision];
     this.passed.push(fingerprint(base.toString()));

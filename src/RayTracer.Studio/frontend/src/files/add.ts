@@ -2,10 +2,9 @@ import type { CatalogueType } from "../api/types";
 import { kindOf, spaced } from "../panel/types";
 import { addThing, type Pixel } from "../state/edits";
 import { rightTab } from "../state/settings";
-import { documentState, outline, schema } from "../state/store";
+import { outline, schema } from "../state/store";
 import type { MenuItem } from "../ui/Menu";
 import { chooseFile } from "./choose";
-import { relativeTo } from "./paths";
 
 /** Adds a thing to the scene, at a pixel of the picture or where one looks; one that cannot be without a file asks for it first, and returns false. */
 export function add(family: string, type: CatalogueType, at?: Pixel): boolean {
@@ -14,7 +13,7 @@ export function add(family: string, type: CatalogueType, at?: Pixel): boolean {
     addThing(family, type.name, file, at);
   };
   const needsFile = type.parameters.some((p) => p.required && kindOf(p) === "file");
-  if (needsFile) chooseFile((path) => put(relativeTo(documentState.value?.path ?? null, path)));
+  if (needsFile) chooseFile(put);
   else put();
   return !needsFile;
 }
